@@ -1,0 +1,13 @@
+# Everything comes from Debian 12; scripts/setup.sh installs it. README.md says what each is for.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(absl REQUIRED)
+find_package(Protobuf 3.21 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(gflags REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.3)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(deflate REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(glog REQUIRED IMPORTED_TARGET libglog)

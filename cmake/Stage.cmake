@@ -1,0 +1,27 @@
+# add_stage(NAME DEPS target...)
+#
+# Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date.
+# The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>.
+function(add_stage name)
+  cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
+  get_filename_component(tree ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
+  get_filename_component(tree ${tree} NAME)
+  set(target ${tree}_${name})
+  file(GLOB sources CONFIGURE_DEPENDS *.cc)
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  if(sources)
+    add_library(${target} STATIC ${sources} ${headers})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:semantic_kiss_compiler_settings>)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(${tree}::${name} ALIAS ${target})
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/semantic_kiss>)
+  target_compile_features(${target} ${scope} cxx_std_17)
+  target_link_libraries(${target} ${scope} ${ARG_DEPS})
+  set_property(GLOBAL APPEND PROPERTY SEMANTIC_KISS_STAGES ${target})
+endfunction()
