@@ -1,7 +1,8 @@
 # add_stage(NAME DEPS target...)
 #
 # Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date.
-# The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>.
+# The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>, which is also its
+# name for projects that find_package(semantic_kiss).
 function(add_stage name)
   cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
   get_filename_component(tree ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
@@ -23,5 +24,6 @@ function(add_stage name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/semantic_kiss>)
   target_compile_features(${target} ${scope} cxx_std_17)
   target_link_libraries(${target} ${scope} ${ARG_DEPS})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} SEMANTIC_KISS_EXPORT_SET ${tree})
   set_property(GLOBAL APPEND PROPERTY SEMANTIC_KISS_STAGES ${target})
 endfunction()
