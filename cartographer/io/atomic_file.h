@@ -1,0 +1,70 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef CARTOGRAPHER_IO_ATOMIC_FILE_H_
+#define CARTOGRAPHER_IO_ATOMIC_FILE_H_
+
+#include <cstdint>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/strings/string_view.h"
+
+namespace cartographer::io {
+
+// A file that appears whole or not at all. Bytes go to a hidden temporary file beside the target;
+// Commit() makes them durable and gives them the target's name in one step, replacing a file that
+// had it. Until then, and if anything fails, whatever stood under that name stays as it was.
+//
+// The target may not exist yet, be a regular file, or a symbolic link to one (the file that the
+// link points to is replaced); anything else, such as a directory or a device, is an error.
+//
+// Errors are one line that names the target and the system's reason, with
+// kResourceExhausted when the disk is full. Usage:
+//   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path));
+//   RETURN_IF_ERROR(file.Write(bytes));
+//   return file.Commit();
+class AtomicFile {
+ public:
+  // The directory of `path` must exist.
+  static absl::StatusOr<AtomicFile> Create(const std::string& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  // Removes the temporary file unless it was committed.
+  ~AtomicFile();
+
+  // Appends. Bytes are buffered, so a full disk may show only in a later Write() or in Commit().
+  // After an error the temporary file is gone and every further call returns that error.
+  absl::Status Write(absl::string_view bytes);
+
+  // Call at most once, last (CHECKed).
+  absl::Status Commit();
+
+  // Number of bytes passed to Write() so far.
+  uint64_t size() const { return size_; }
+
+ private:
+  AtomicFile(std::string path, std::string target, std::string temporary_path, int descriptor);
+  absl::Status Flush();
+  absl::Status Finish();
+  // Closes and removes the temporary file and remembers the error.
+  absl::Status Fail(const char* action, int error_number);
+  void Discard();
+
+  std::string path_;            // as the caller named it, for messages
+  std::string target_;          // with symbolic links resolved
+  std::string temporary_path_;  // empty once there is none
+  std::string buffer_;
+  absl::Status status_;
+  int descriptor_ = -1;
+  uint64_t size_ = 0;
+};
+
+// The whole content at once.
+absl::Status WriteFileAtomically(const std::string& path, absl::string_view content);
+
+}  // namespace cartographer::io
+
+#endif  // CARTOGRAPHER_IO_ATOMIC_FILE_H_
