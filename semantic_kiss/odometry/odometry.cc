@@ -1,0 +1,110 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "semantic_kiss/odometry/odometry.h"
+
+#include <utility>
+
+#include "semantic_kiss/odometry/voxel_subsampling.h"
+
+namespace semantic_kiss::odometry {
+namespace {
+
+using cartographer::sensor::LabelMask;
+using cartographer::sensor::LabelRole;
+using cartographer::sensor::LabelSet;
+
+// KISS-ICP is our odometry with everything switched off that asks for labels.
+proto::OdometryOptions ResolveMode(proto::OdometryOptions options) {
+  if (options.mode() == "kiss_icp") {
+    options.mutable_preprocessing()->set_drop_moving(false);
+    options.mutable_map_subsampling()->set_max_critical_points_per_voxel(0);
+    options.mutable_icp_subsampling()->set_max_critical_points_per_voxel(0);
+    options.mutable_local_map()->set_max_critical_points_per_voxel(0);
+    options.mutable_icp()->set_weight_by_certainty(false);
+  }
+  return options;
+}
+
+}  // namespace
+
+absl::string_view OutcomeName(const OdometryReport& report) {
+  switch (report.placement) {
+    case OdometryReport::Placement::kFirst:
+      return "first";
+    case OdometryReport::Placement::kRestarted:
+      return "restarted";
+    case OdometryReport::Placement::kRegistered:
+    case OdometryReport::Placement::kPredicted:
+      break;
+  }
+  return cartographer::registration::OutcomeName(report.icp.outcome);
+}
+
+Odometry::Odometry(const proto::OdometryOptions& options, const LabelSet& labels)
+    : options_(ResolveMode(options)),
+      dropped_labels_(options_.preprocessing().drop_moving() ? labels.WithRole(LabelRole::kMoving)
+                                                             : LabelMask()),
+      critical_labels_(labels.WithRole(LabelRole::kCritical)),
+      local_map_(options_.local_map(), critical_labels_),
+      threshold_(options_.adaptive_threshold(), options_.preprocessing().max_range_m()) {}
+
+OdometryReport Odometry::AddScan(const cartographer::sensor::LabeledPointCloud& scan) {
+  OdometryReport report;
+  cartographer::common::Stopwatch stopwatch;
+  PreprocessedScan preprocessed =
+      Preprocess(scan, motion_.Motion(), dropped_labels_, options_.preprocessing());
+  report.points = std::move(preprocessed.points);
+  report.counts = preprocessed.counts;
+  report.deskewed = preprocessed.deskewed;
+  stopwatch.Lap("preprocessing", &report.stage_times);
+
+  SubsampleScan(&report);
+  stopwatch.Lap("subsampling", &report.stage_times);
+
+  Register(&report);
+  motion_.Observe(report.local_from_sensor);
+  stopwatch.Lap("registration", &report.stage_times);
+
+  UpdateLocalMap(report);
+  stopwatch.Lap("local_map", &report.stage_times);
+  return report;
+}
+
+void Odometry::SubsampleScan(OdometryReport* report) const {
+  report->points_for_map = Subsample(report->points, options_.map_subsampling(), critical_labels_);
+  report->points_for_icp =
+      Subsample(report->points_for_map, options_.icp_subsampling(), critical_labels_);
+}
+
+void Odometry::Register(OdometryReport* report) {
+  using Placement = OdometryReport::Placement;
+  const auto local_from_guess = motion_.Predict();
+  report->local_from_sensor = local_from_guess;
+  report->sigma_m = threshold_.Sigma();
+  if (local_map_.Empty()) {
+    report->placement = Placement::kFirst;
+    return;
+  }
+  report->icp = AlignCloud(report->points_for_icp, local_map_, local_from_guess,
+                           {threshold_.Gate(), report->sigma_m}, options_.icp());
+  if (report->icp.HasEstimate()) {
+    report->placement = Placement::kRegistered;
+    report->local_from_sensor = report->icp.map_from_source;
+    threshold_.Observe(local_from_guess.inverse() * report->local_from_sensor);
+    failures_in_a_row_ = 0;
+  } else if (++failures_in_a_row_ >= options_.restart_after_failures()) {
+    report->placement = Placement::kRestarted;
+    failures_in_a_row_ = 0;
+  }
+}
+
+void Odometry::UpdateLocalMap(const OdometryReport& report) {
+  if (report.placement == OdometryReport::Placement::kPredicted) return;
+  if (report.placement == OdometryReport::Placement::kRestarted) local_map_.Clear();
+  local_map_.Insert(report.points_for_map, report.local_from_sensor);
+  local_map_.RemoveFarFrom(report.local_from_sensor.translation(),
+                           options_.preprocessing().max_range_m());
+}
+
+}  // namespace semantic_kiss::odometry

@@ -1,0 +1,81 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef SEMANTIC_KISS_ODOMETRY_ODOMETRY_H_
+#define SEMANTIC_KISS_ODOMETRY_ODOMETRY_H_
+
+#include <vector>
+
+#include "absl/strings/string_view.h"
+#include "cartographer/common/stopwatch.h"
+#include "cartographer/registration/labeled_voxel_map.h"
+#include "cartographer/registration/semantic_icp.h"
+#include "cartographer/sensor/label_set.h"
+#include "cartographer/sensor/labeled_point_cloud.h"
+#include "cartographer/transform/rigid_transform.h"
+#include "semantic_kiss/odometry/adaptive_threshold.h"
+#include "semantic_kiss/odometry/motion_model.h"
+#include "semantic_kiss/odometry/preprocessing.h"
+#include "semantic_kiss/odometry/proto/odometry_options.pb.h"
+
+namespace semantic_kiss::odometry {
+
+// What one scan became.
+struct OdometryReport {
+  // Pose of the sensor in the odometry's frame, which is the sensor's frame at the first scan.
+  cartographer::transform::Rigid3d local_from_sensor;
+
+  enum class Placement {
+    kFirst,       // the local map was empty: placed by the motion model, and began the map
+    kRegistered,  // placed by ICP
+    kPredicted,   // ICP could not place it (see `icp.outcome`): placed by the motion model, not
+                  // mapped
+    kRestarted    // the same, and the local map begins anew with it
+  };
+  Placement placement = Placement::kPredicted;
+  cartographer::registration::IcpReport icp;  // default-constructed for kFirst
+  double sigma_m = 0.;                        // of the adaptive threshold, as used
+
+  PreprocessingCounts counts;
+  bool deskewed = false;
+  // Clouds in the sensor's frame: all usable points, and the sub-samplings of it.
+  cartographer::sensor::LabeledPointCloud points;
+  cartographer::sensor::LabeledPointCloud points_for_map;
+  cartographer::sensor::LabeledPointCloud points_for_icp;
+
+  // "preprocessing", "subsampling", "registration", "local_map".
+  std::vector<cartographer::common::StageTime> stage_times;
+};
+
+// One word for reports: "first", the ICP's outcome, or "restarted".
+absl::string_view OutcomeName(const OdometryReport& report);
+
+// Semantic KISS-ICP, scan by scan (design.md, section 3). In mode "kiss_icp" it is KISS-ICP: labels
+// are carried along but decide nothing.
+class Odometry {
+ public:
+  Odometry(const proto::OdometryOptions& options, const cartographer::sensor::LabelSet& labels);
+
+  // Scans in the order of time. Any scan is survived: where it cannot be registered, the motion
+  // model carries on.
+  OdometryReport AddScan(const cartographer::sensor::LabeledPointCloud& scan);
+
+  const cartographer::registration::LabeledVoxelMap& local_map() const { return local_map_; }
+
+ private:
+  void SubsampleScan(OdometryReport* report) const;
+  void Register(OdometryReport* report);
+  void UpdateLocalMap(const OdometryReport& report);
+
+  const proto::OdometryOptions options_;
+  const cartographer::sensor::LabelMask dropped_labels_;
+  const cartographer::sensor::LabelMask critical_labels_;
+  cartographer::registration::LabeledVoxelMap local_map_;
+  AdaptiveThreshold threshold_;
+  MotionModel motion_;
+  int failures_in_a_row_ = 0;
+};
+
+}  // namespace semantic_kiss::odometry
+
+#endif  // SEMANTIC_KISS_ODOMETRY_ODOMETRY_H_
