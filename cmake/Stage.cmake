@@ -1,12 +1,15 @@
-# add_stage(NAME DEPS target...)
+# add_stage(NAME [TREE tree] DEPS target...)
 #
 # Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date.
-# The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>, which is also its
+# TREE is needed where the calling folder is itself the top of a tree. The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>, which is also its
 # name for projects that find_package(semantic_kiss).
 function(add_stage name)
-  cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
-  get_filename_component(tree ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
-  get_filename_component(tree ${tree} NAME)
+  cmake_parse_arguments(ARG "" "TREE" "DEPS" ${ARGN})
+  set(tree ${ARG_TREE})
+  if(NOT tree)
+    get_filename_component(tree ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
+    get_filename_component(tree ${tree} NAME)
+  endif()
   set(target ${tree}_${name})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
   file(GLOB headers CONFIGURE_DEPENDS *.h)

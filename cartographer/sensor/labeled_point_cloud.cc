@@ -36,4 +36,13 @@ void LabeledPointCloud::CheckConsistent() const {
   CHECK(times.empty() || times.size() == size());
 }
 
+LabeledPointCloud WithoutLabels(const LabeledPointCloud& cloud, const LabelMask& dropped) {
+  LabeledPointCloud kept;
+  kept.Reserve(cloud.size());
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    if (!dropped.Contains(cloud.labels[i])) kept.Append(cloud, i);
+  }
+  return kept;
+}
+
 }  // namespace cartographer::sensor

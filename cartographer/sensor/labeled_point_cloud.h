@@ -34,6 +34,9 @@ struct LabeledPointCloud {
   void CheckConsistent() const;
 };
 
+// The points whose label is not in `dropped`, in their order.
+LabeledPointCloud WithoutLabels(const LabeledPointCloud& cloud, const LabelMask& dropped);
+
 // One sweep of the lidar: x forward, y left, z up, in the sensor's frame at `time`.
 struct LabeledScan {
   int index = 0;      // number of the scan in its sequence

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cartographer/common/stopwatch.h"
 #include "cartographer/sensor/labeled_point_cloud.h"
 #include "cartographer/submap/submap.h"
 #include "cartographer/transform/rigid_transform.h"
@@ -32,6 +33,9 @@ struct LocalResult {
     std::map<int, std::shared_ptr<const submap::Submap>> submaps;
   };
   std::optional<Insertion> insertion;
+
+  // What the builder's stages took, in their order.
+  std::vector<common::StageTime> stage_times;
 };
 
 // Turns the scans of one drive into poses, nodes and submaps: the seat of an odometry in the

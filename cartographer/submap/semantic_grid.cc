@@ -53,21 +53,44 @@ uint64_t SemanticGrid::KeyOf(sensor::Label label, int tile_x, int tile_y) {
          (static_cast<uint64_t>(tile_x + kTileIndexOffset) & kTileIndexMask);
 }
 
-SemanticGrid::Tile& SemanticGrid::FindOrAddTile(sensor::Label label, int tile_x, int tile_y) {
-  const uint64_t key = KeyOf(label, tile_x, tile_y);
+uint32_t SemanticGrid::FindOrAddTile(uint64_t key) {
   const auto [it, inserted] = tile_of_key_.try_emplace(key, static_cast<uint32_t>(tiles_.size()));
   if (inserted) {
     tiles_.emplace_back();
     keys_.push_back(key);
   }
-  return tiles_[it->second];
+  return it->second;
 }
 
 void SemanticGrid::AddHits(sensor::Label label, const CellIndex& cell, int hits) {
   DCHECK_GT(hits, 0);
-  uint16_t& count =
-      FindOrAddTile(label, cell.x() >> kTileBits, cell.y() >> kTileBits).hits[CellInTile(cell)];
+  const uint32_t tile = FindOrAddTile(KeyOf(label, cell.x() >> kTileBits, cell.y() >> kTileBits));
+  uint16_t& count = tiles_[tile].hits[CellInTile(cell)];
   count = SaturatedSum(count, hits);
+}
+
+void SemanticGrid::AddCloud(const sensor::LabeledPointCloud& cloud,
+                            const transform::Rigid3d& grid_from_cloud,
+                            const sensor::LabelMask& dropped) {
+  const Eigen::Matrix<float, 2, 4> plane_from_cloud =
+      grid_from_cloud.Matrix().topRows<2>().cast<float>();
+  // Neighbours in a scan mostly fall into the same tile, which saves the look-up.
+  uint64_t last_key = std::numeric_limits<uint64_t>::max();
+  uint32_t last_tile = 0;
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    const sensor::Label label = cloud.labels[i];
+    if (dropped.Contains(label)) continue;
+    const Eigen::Vector2f position =
+        plane_from_cloud.leftCols<3>() * cloud.positions[i] + plane_from_cloud.col(3);
+    const CellIndex cell = CellOf(position);
+    const uint64_t key = KeyOf(label, cell.x() >> kTileBits, cell.y() >> kTileBits);
+    if (key != last_key) {
+      last_key = key;
+      last_tile = FindOrAddTile(key);
+    }
+    uint16_t& count = tiles_[last_tile].hits[CellInTile(cell)];
+    count = SaturatedSum(count, 1);
+  }
 }
 
 int SemanticGrid::Hits(sensor::Label label, const CellIndex& cell) const {
@@ -121,7 +144,7 @@ std::map<SemanticGrid::TileIndex, SemanticGrid::DominantTile> SemanticGrid::Domi
 }
 
 void SemanticGrid::SetTile(sensor::Label label, const TileIndex& index, const Tile& tile) {
-  FindOrAddTile(label, index.x, index.y) = tile;
+  tiles_[FindOrAddTile(KeyOf(label, index.x, index.y))] = tile;
 }
 
 void SemanticGrid::RemoveLayers(const sensor::LabelMask& mask) {

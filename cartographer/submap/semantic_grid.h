@@ -12,6 +12,8 @@
 
 #include "absl/container/flat_hash_map.h"
 #include "cartographer/sensor/label.h"
+#include "cartographer/sensor/labeled_point_cloud.h"
+#include "cartographer/transform/rigid_transform.h"
 
 namespace cartographer::submap {
 
@@ -66,7 +68,8 @@ class SemanticGrid {
   double resolution_m() const { return resolution_m_; }
 
   CellIndex CellOf(const Eigen::Vector2f& position) const {
-    return (position.array() * inverse_resolution_).floor().cast<int>();
+    return {FloorToInt(position.x() * inverse_resolution_),
+            FloorToInt(position.y() * inverse_resolution_)};
   }
   Eigen::Vector2d CenterOf(const CellIndex& cell) const {
     return (cell.cast<double>() + 0.5).matrix() * resolution_m_;
@@ -74,6 +77,10 @@ class SemanticGrid {
 
   // Adds `hits` (> 0) to a cell of a layer.
   void AddHits(sensor::Label label, const CellIndex& cell, int hits = 1);
+  // Adds a hit for every point, but for those whose label is in `dropped`. `grid_from_cloud` places
+  // the cloud; heights play no part.
+  void AddCloud(const sensor::LabeledPointCloud& cloud, const transform::Rigid3d& grid_from_cloud,
+                const sensor::LabelMask& dropped);
   int Hits(sensor::Label label, const CellIndex& cell) const;
   DominantLabel Dominant(const CellIndex& cell) const;
 
@@ -99,8 +106,14 @@ class SemanticGrid {
   size_t num_tiles() const { return tiles_.size(); }
 
  private:
+  // std::floor without the library call that it costs on plain x86-64.
+  static int FloorToInt(float value) {
+    const int truncated = static_cast<int>(value);
+    return truncated - (value < static_cast<float>(truncated) ? 1 : 0);
+  }
   static uint64_t KeyOf(sensor::Label label, int tile_x, int tile_y);
-  Tile& FindOrAddTile(sensor::Label label, int tile_x, int tile_y);
+  // The tile with that key as an index into tiles_.
+  uint32_t FindOrAddTile(uint64_t key);
 
   double resolution_m_;
   float inverse_resolution_;

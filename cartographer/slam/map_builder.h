@@ -1,0 +1,58 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef CARTOGRAPHER_SLAM_MAP_BUILDER_H_
+#define CARTOGRAPHER_SLAM_MAP_BUILDER_H_
+
+#include <memory>
+#include <vector>
+
+#include "cartographer/map/map.h"
+#include "cartographer/sensor/label_set.h"
+#include "cartographer/sensor/labeled_point_cloud.h"
+#include "cartographer/slam/local_trajectory_builder.h"
+#include "cartographer/transform/rigid_transform.h"
+
+namespace cartographer::slam {
+
+// A scan's pose, also of scans that are no nodes: each hangs on the last node before it.
+struct ScanPose {
+  common::Time time;
+  transform::Rigid3d local_from_sensor;
+  submap::NodeId node_id;               // the last node up to this scan
+  transform::Rigid3d node_from_sensor;  // identity for the node itself
+};
+
+// Carries a drive from scans to a Map: feeds the local trajectory builder and files its nodes,
+// submaps and constraints. The map frame is the local frame.
+class MapBuilder {
+ public:
+  MapBuilder(std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder,
+             const sensor::LabelSet& labels);
+
+  // Scans must come with increasing time (CHECKed). The first scan must become a node (CHECKed).
+  LocalResult AddScan(const sensor::LabeledScan& scan);
+
+  // Ends the drive and hands out the map, whose configuration and history are left to the caller.
+  // No other call may follow but scan_poses().
+  map::Map Finish();
+
+  // One entry for each scan so far.
+  const std::vector<ScanPose>& scan_poses() const { return scan_poses_; }
+
+ private:
+  void AddNode(const LocalResult& result);
+
+  const std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder_;
+  map::Map map_;
+  int num_nodes_ = 0;
+  std::vector<ScanPose> scan_poses_;
+};
+
+// Where the map puts each scan: map_from_node * node_from_sensor.
+std::vector<transform::Rigid3d> PlaceScans(const map::Map& map,
+                                           const std::vector<ScanPose>& scan_poses);
+
+}  // namespace cartographer::slam
+
+#endif  // CARTOGRAPHER_SLAM_MAP_BUILDER_H_
