@@ -17,6 +17,14 @@ Rigid3d Rigid3d::Rotation(const Eigen::Quaterniond& rotation) {
   return Rigid3d(Eigen::Vector3d::Zero(), rotation);
 }
 
+Rigid3d Rigid3d::FromUnitRotation(const Eigen::Vector3d& translation,
+                                  const Eigen::Quaterniond& unit_rotation) {
+  Rigid3d result;
+  result.translation_ = translation;
+  result.rotation_ = unit_rotation;
+  return result;
+}
+
 Rigid3d Rigid3d::FromMatrix(const Eigen::Matrix<double, 3, 4>& matrix) {
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
   return Rigid3d(matrix.col(3), Eigen::Quaterniond(rotation));

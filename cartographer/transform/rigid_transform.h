@@ -25,6 +25,10 @@ class Rigid3d {
   static Rigid3d Identity() { return Rigid3d(); }
   static Rigid3d Translation(const Eigen::Vector3d& translation);
   static Rigid3d Rotation(const Eigen::Quaterniond& rotation);
+  // Takes `unit_rotation` as it is, bit by bit: for poses read back from files, which normalizing
+  // once more could change.
+  static Rigid3d FromUnitRotation(const Eigen::Vector3d& translation,
+                                  const Eigen::Quaterniond& unit_rotation);
   // From the upper 3 x 4 part of a homogeneous matrix; its left 3 x 3 block is taken for a
   // rotation matrix (round-off is removed by way of the quaternion).
   static Rigid3d FromMatrix(const Eigen::Matrix<double, 3, 4>& matrix);
