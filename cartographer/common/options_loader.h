@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "cartographer/common/lua_file.h"
 
 namespace google::protobuf {
 class Message;
@@ -17,32 +18,35 @@ namespace cartographer::common {
 
 // Options are declared once, as proto messages whose fields carry comments, units and ranges
 // (proto/cartographer/common/proto/option_annotations.proto), and get their values from Lua,
-// where alone the defaults live. This loader evaluates a Lua file and copies the table that it
-// returns into such a message by reflection.
+// where alone the defaults live. This loader evaluates a Lua file (lua_evaluator.h) and copies the
+// table that it returns into such a message by reflection.
 //
 // Every field that the message declares must be in the table and every key of the table must be a
-// field, else the error names the file, the full key path ("odometry.icp.max_iterations") and, for
-// an unknown key, the nearest one that exists. Values are checked for type, range and, for
-// strings, the allowed words. Fields declared `optional` may be missing (nil).
-struct LuaFile {
-  // Path of the file to evaluate. `include "other.lua"` in it is resolved first beside the
-  // including file, then in `include_directories`, in order; each file is read at most once.
-  std::string path;
-  std::vector<std::string> include_directories;
-};
+// field. A number must be finite and in range; an integer may be written as 100, 100.0 or 1e2, but
+// not as 100.5. Strings are one of the allowed words, if the field names some, and UTF-8. Enums
+// are the names of their values. A repeated field is a list, {} if it has no elements; a map with
+// string keys is a table; of the members of a oneof, one may be present. Only fields declared
+// `optional` may be missing (nil). A field of another kind (a map with other keys) is a bug.
+//
+// Errors are one line and name the file, the full key path, the value and what it must be:
+//   kitti.lua: odometry.icp.max_iterations = -3; must satisfy 0 < x <= 500
+//   kitti.lua: unknown key odometry.icp.max_iteration; did you mean "max_iterations"?
+//   kitti.lua: missing key labels.classes[3].name; must be a string
+// If there are several, the message is about the first (of a table: unknown keys by name, then the
+// fields in the order of their declaration) and ends with "(and 2 more errors)".
 
 // Fills `options` (cleared first). On error `options` is left in an unspecified state.
 absl::Status LoadOptions(const LuaFile& file, google::protobuf::Message* options);
 
 // The same for Lua source that is already in memory; `name` stands for the file in errors and
-// `include` works as if the source stood in the first include directory.
+// `include` looks in `include_directories` alone.
 absl::Status LoadOptionsFromString(const std::string& source, const std::string& name,
                                    const std::vector<std::string>& include_directories,
                                    google::protobuf::Message* options);
 
-// The message as a Lua table that LoadOptionsFromString() reads back to an equal message: what
-// `semantic_kiss config` prints and what maps carry. Numbers are written so that they survive the
-// round trip exactly; keys stand in field order.
+// The message as a Lua table: what `semantic_kiss config` prints and what maps carry.
+// LoadOptionsFromString() reads a message that LoadOptions() filled back to an equal one, numbers
+// to the last bit. Keys stand in the order of the fields' declaration, keys of maps in their own.
 std::string OptionsToLua(const google::protobuf::Message& options);
 
 }  // namespace cartographer::common

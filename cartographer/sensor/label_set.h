@@ -6,12 +6,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "absl/strings/string_view.h"
+#include "cartographer/common/lua_file.h"
 #include "cartographer/sensor/label.h"
 #include "cartographer/sensor/proto/label_set.pb.h"
 
@@ -32,9 +35,15 @@ class LabelSet {
   // A set that knows only kUnlabeled, for scans without labels and maps of other systems.
   LabelSet();
 
-  // Errors name the class: a duplicate id or name, an unknown `merged_into` or a chain of merges,
-  // no class with the role `unlabeled`, more than 255 classes, a colour without three components.
+  // Errors name the class: a duplicate id or name; a name that is empty or has commas or blanks
+  // (flags list names); an unknown `merged_into`, a chain of merges, a merge that loses a role (a
+  // moving class cannot become a static one); an unknown role, or others beside `unlabeled`; no
+  // class with the role `unlabeled`; more than 255 labels besides; a colour without three
+  // components; a number out of its range.
   static absl::StatusOr<LabelSet> Create(const proto::LabelSet& declaration);
+
+  // Create() for a Lua file such as configuration_files/labels/semantic_kitti.lua.
+  static absl::StatusOr<LabelSet> Load(const common::LuaFile& file);
 
   // Number of labels, kUnlabeled included: valid labels are 0..size()-1.
   size_t size() const { return entries_.size(); }
@@ -58,7 +67,7 @@ class LabelSet {
     return Label{static_cast<uint8_t>(label)};
   }
 
-  // The label called `name`, the name of a merged class included; the error lists the nearest.
+  // The label called `name`, the name of a merged class included; NotFound tells the nearest.
   absl::StatusOr<Label> FromName(absl::string_view name) const;
 
   const proto::LabelSet& declaration() const { return declaration_; }
@@ -71,9 +80,17 @@ class LabelSet {
     uint16_t file_id = 0;
   };
 
+  // Steps of Create(): the entry of kUnlabeled; then a class that is not merged.
+  void AddUnlabeled();
+  void AddOwnLabel(const proto::LabelClass& label_class);
+  void AddEntry(const proto::LabelClass& label_class);
+  // Makes the class's id and name lead to `label`.
+  void List(const proto::LabelClass& label_class, Label label);
+
   proto::LabelSet declaration_;
   std::vector<Entry> entries_;
   std::vector<int16_t> label_of_file_id_;  // 65536 entries, -1: not listed
+  std::map<std::string, Label, std::less<>> label_of_name_;
   std::array<LabelMask, kNumLabelRoles> roles_;
 };
 
