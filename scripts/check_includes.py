@@ -26,7 +26,7 @@ FLOORS = [
     ["cartographer/pose_graph", "cartographer/io"],
     ["cartographer/slam"],
     ["semantic_kiss/odometry"],
-    ["semantic_kiss/local_trajectory_builder"],  # files with this prefix in semantic_kiss/
+    ["semantic_kiss/local_trajectory_builder"],  # the plugin: PLUGIN_FILES
     ["semantic_kiss/dataset"],
     ["semantic_kiss/evaluation", "semantic_kiss/simulation"],
     ["semantic_kiss/report"],
@@ -52,6 +52,7 @@ APART = [
 ]
 
 PLUGIN = "semantic_kiss/local_trajectory_builder"
+PLUGIN_FILES = ("semantic_kiss/local_trajectory_builder", "semantic_kiss/proto/")
 FLOOR_OF = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 TREES = ("cartographer", "semantic_kiss")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')
@@ -60,7 +61,7 @@ IMPORT = re.compile(r'^\s*import\s+(?:public\s+|weak\s+)?"([^"]+)"')
 
 def folder_of(path):
     """The folder of the tables that `path` (relative to the root, '/'-separated) belongs to."""
-    if path.startswith(PLUGIN):
+    if path.startswith(PLUGIN_FILES):
         return PLUGIN
     return "/".join(path.split("/")[:2])
 

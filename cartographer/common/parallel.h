@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cartographer/common/fork_join_annotation.h"
 #include "tbb/parallel_for.h"
 
 namespace cartographer::common {
@@ -21,9 +22,13 @@ namespace cartographer::common {
 template <typename Body>
 void ParallelChunks(size_t size, size_t chunk_size, const Body& body) {
   const size_t num_chunks = (size + chunk_size - 1) / chunk_size;
+  ForkJoinAnnotation order;
   tbb::parallel_for(size_t{0}, num_chunks, [&](size_t chunk) {
+    order.TaskBegins();
     body(chunk * chunk_size, std::min(size, (chunk + 1) * chunk_size));
+    order.TaskEnds();
   });
+  order.AllTasksEnded();
 }
 
 // Returns map(begin, end) of all chunks, in the order of the chunks. Result must be
