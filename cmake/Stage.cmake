@@ -1,8 +1,9 @@
 # add_stage(NAME [TREE tree] DEPS target...)
 #
-# Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date.
-# TREE is needed where the calling folder is itself the top of a tree. The target is <tree>_<folder> (cartographer_sensor), its alias <tree>::<folder>, which is also its
-# name for projects that find_package(semantic_kiss).
+# Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date. TREE
+# is needed where the calling folder is itself the top of a tree. The target is <tree>_<folder>
+# (cartographer_sensor), its alias <tree>::<folder>, which is also its name for projects that
+# find_package(semantic_kiss).
 function(add_stage name)
   cmake_parse_arguments(ARG "" "TREE" "DEPS" ${ARGN})
   set(tree ${ARG_TREE})
