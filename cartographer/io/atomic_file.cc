@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -24,6 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kBufferSize = 1 << 18;
+
+// The temporary files that exist. They come and go only under the mutex, so that
+// AbandonAtomicFiles() misses none. Never destroyed: files may outlive static storage.
+std::mutex& TemporaryPathsMutex() {
+  static auto& mutex = *new std::mutex;
+  return mutex;
+}
+std::set<std::string>& TemporaryPaths() {
+  static auto& paths = *new std::set<std::string>;
+  return paths;
+}
 
 absl::Status SystemError(const std::string& path, const char* action, int error_number) {
   const bool full = error_number == ENOSPC || error_number == EDQUOT;
@@ -84,9 +97,11 @@ absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
   ASSIGN_OR_RETURN(std::string target, ResolveTarget(path));
   while (true) {
     std::string temporary_path = NextTemporaryPath(target);
+    const std::lock_guard<std::mutex> lock(TemporaryPathsMutex());
     const int descriptor =
         ::open(temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
+      TemporaryPaths().insert(temporary_path);
       return AtomicFile(path, std::move(target), std::move(temporary_path), descriptor);
     }
     if (errno != EEXIST && errno != EINTR) return SystemError(path, "create", errno);
@@ -155,12 +170,18 @@ absl::Status AtomicFile::Flush() {
 absl::Status AtomicFile::Finish() {
   if (::fsync(descriptor_) != 0) return Fail("write to the disk", errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) return Fail("close", errno);
-  if (::rename(temporary_path_.c_str(), target_.c_str()) != 0) return Fail("rename", errno);
-  temporary_path_.clear();
+  if (const int error = RenameToTarget(); error != 0) return Fail("rename", error);
   if (const int error = SyncDirectory(DirectoryOf(target_)); error != 0) {
     return Fail("write its directory to the disk", error);
   }
   return absl::OkStatus();
+}
+
+int AtomicFile::RenameToTarget() {
+  const std::lock_guard<std::mutex> lock(TemporaryPathsMutex());
+  if (::rename(temporary_path_.c_str(), target_.c_str()) != 0) return errno;
+  TemporaryPaths().erase(std::exchange(temporary_path_, {}));
+  return 0;
 }
 
 absl::Status AtomicFile::Fail(const char* action, int error_number) {
@@ -170,8 +191,15 @@ absl::Status AtomicFile::Fail(const char* action, int error_number) {
 
 void AtomicFile::Discard() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-  if (!temporary_path_.empty()) ::unlink(temporary_path_.c_str());
-  temporary_path_.clear();
+  if (temporary_path_.empty()) return;
+  const std::lock_guard<std::mutex> lock(TemporaryPathsMutex());
+  ::unlink(temporary_path_.c_str());
+  TemporaryPaths().erase(std::exchange(temporary_path_, {}));
+}
+
+void AbandonAtomicFiles() {
+  TemporaryPathsMutex().lock();
+  for (const std::string& path : TemporaryPaths()) ::unlink(path.c_str());
 }
 
 absl::Status WriteFileAtomically(const std::string& path, absl::string_view content) {

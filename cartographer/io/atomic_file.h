@@ -49,6 +49,8 @@ class AtomicFile {
   AtomicFile(std::string path, std::string target, std::string temporary_path, int descriptor);
   absl::Status Flush();
   absl::Status Finish();
+  // Returns the system's error number; 0: done.
+  int RenameToTarget();
   // Closes and removes the temporary file and remembers the error.
   absl::Status Fail(const char* action, int error_number);
   void Discard();
@@ -61,6 +63,10 @@ class AtomicFile {
   int descriptor_ = -1;
   uint64_t size_ = 0;
 };
+
+// Removes all temporary files and blocks every other thread that would make or commit one, for
+// ever: the last thing before _exit() for a process that is told to end at once.
+void AbandonAtomicFiles();
 
 // The whole content at once.
 absl::Status WriteFileAtomically(const std::string& path, absl::string_view content);
