@@ -13,6 +13,7 @@ function(add_stage name)
   endif()
   set(target ${tree}_${name})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cc$")  # a program's, not the library's
   file(GLOB headers CONFIGURE_DEPENDS *.h)
   if(sources)
     add_library(${target} STATIC ${sources} ${headers})

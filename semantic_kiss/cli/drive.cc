@@ -1,0 +1,59 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "semantic_kiss/cli/drive.h"
+
+#include <optional>
+
+#include "cartographer/common/status.h"
+#include "cartographer/common/stopwatch.h"
+#include "semantic_kiss/cli/stop_signals.h"
+#include "semantic_kiss/evaluation/final_error.h"
+
+namespace semantic_kiss::cli {
+namespace {
+
+using cartographer::common::StageTime;
+using cartographer::slam::LocalResult;
+using cartographer::slam::MapBuilder;
+
+std::optional<double> CurrentError(const dataset::ScanSource& scans,
+                                   const MapBuilder& map_builder) {
+  if (!scans.ground_truth().has_value()) return std::nullopt;
+  const auto& truth = *scans.ground_truth();
+  const auto& estimate = map_builder.scan_poses();
+  return evaluation::ComputeDriftError(
+             {truth.front(), truth[estimate.size() - 1]},
+             {estimate.front().local_from_sensor, estimate.back().local_from_sensor},
+             evaluation::VehicleFrame::kLidar)
+      .position_error_m;
+}
+
+void Book(const LocalResult& result, DriveRecord* record) {
+  ++record->num_scans;
+  ++record->outcomes[result.outcome];
+  for (const StageTime& time : result.stage_times) {
+    record->stage_times.Add(time.stage, time.seconds);
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_builder,
+                                  ProgressReporter* progress) {
+  DriveRecord record;
+  cartographer::common::Stopwatch whole;
+  for (int i = 0; i < scans->size() && !StopRequested(); ++i) {
+    cartographer::common::Stopwatch reading;
+    ASSIGN_OR_RETURN(const cartographer::sensor::LabeledScan scan, scans->Read(i));
+    record.stage_times.Add("reading", reading.Lap());
+    record.num_points += static_cast<int64_t>(scan.points.size());
+    Book(map_builder->AddScan(scan), &record);
+    progress->Update(record.num_scans, CurrentError(*scans, *map_builder));
+  }
+  record.elapsed_s = whole.Lap();
+  progress->Finish();
+  return record;
+}
+
+}  // namespace semantic_kiss::cli

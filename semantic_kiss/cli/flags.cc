@@ -1,0 +1,67 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "semantic_kiss/cli/flags.h"
+
+#include "gflags/gflags.h"
+#include "glog/logging.h"
+
+DEFINE_string(calib, "",
+              "KITTI calib.txt; its row Tr turns lidar poses of --estimate into the camera poses "
+              "of KITTI's ground truth. Without it both files must be of the same body.");
+DEFINE_string(config, "semantic_kiss.lua",
+              "Configuration: a Lua file, or the name of one that the program brings along.");
+DEFINE_string(dataset, "",
+              "Folder in SemanticKITTI's layout: sequences/NN/velodyne/*.bin, and as far as "
+              "present labels, confidences, calib.txt, times.txt and poses.");
+DEFINE_string(estimate, "", "Estimated trajectory in KITTI's format, 12 numbers a line.");
+DEFINE_int32(first_scan, 0, "Number of the scan to begin with.");
+DEFINE_string(ground_truth, "", "True trajectory in KITTI's format, 12 numbers a line.");
+DEFINE_string(hide, "", "Labels that are left out, separated by commas: car,truck.");
+DEFINE_bool(json, false, "Print JSON for scripts instead of text for people.");
+DEFINE_string(labels_dir, "",
+              "Where the labels are: a folder of the sequence such as `predictions`, an absolute "
+              "path (also one with sequences/NN/predictions in it), or `none`.");
+DEFINE_string(map, "", "Map to read.");
+DEFINE_int32(num_scans, 0, "Number of scans to use.");
+DEFINE_string(output, "",
+              "Where results go. Existing results are replaced once new ones are whole.");
+DEFINE_bool(quiet, false, "Print nothing but errors.");
+DEFINE_double(resolution, 0., "Side of a pixel in metres.");
+DEFINE_string(sequence, "00", "Sequence of the data set.");
+DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
+
+namespace semantic_kiss::cli {
+
+const std::vector<FlagInfo>& Flags() {
+  using G = FlagGroup;
+  using V = FlagValue;
+  static const auto& flags = *new std::vector<FlagInfo>{
+      {"config", "FILE", G::kInput, V::kFile},
+      {"dataset", "DIR", G::kInput, V::kDirectory},
+      {"sequence", "NN", G::kInput, V::kText},
+      {"map", "FILE", G::kInput, V::kFile},
+      {"ground_truth", "FILE", G::kInput, V::kFile},
+      {"estimate", "FILE", G::kInput, V::kFile},
+      {"calib", "FILE", G::kInput, V::kFile},
+      {"labels_dir", "DIR", G::kInput, V::kDirectory, "labels, if there are any"},
+      {"first_scan", "N", G::kSelection, V::kNumber, "the first", 0.},
+      {"num_scans", "N", G::kSelection, V::kNumber, "all", 0.},
+      {"hide", "LABELS", G::kSelection, V::kText},
+      {"output", "PATH", G::kOutput, V::kFile},
+      {"resolution", "M", G::kOutput, V::kNumber, "as configured", 0.},
+      {"json", "", G::kOutput, V::kNone},
+      {"threads", "N", G::kExecution, V::kNumber, "all cores", 0.},
+      {"quiet", "", G::kExecution, V::kNone},
+  };
+  return flags;
+}
+
+const FlagInfo& FlagNamed(const std::string& name) {
+  for (const FlagInfo& flag : Flags()) {
+    if (flag.name == name) return flag;
+  }
+  LOG(FATAL) << "no flag is called " << name;
+}
+
+}  // namespace semantic_kiss::cli

@@ -1,0 +1,59 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef SEMANTIC_KISS_CLI_FLAGS_H_
+#define SEMANTIC_KISS_CLI_FLAGS_H_
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "gflags/gflags_declare.h"
+
+// The values of all flags. A command reads only those that it declares (command.h).
+DECLARE_string(calib);
+DECLARE_string(config);
+DECLARE_string(dataset);
+DECLARE_string(estimate);
+DECLARE_int32(first_scan);
+DECLARE_string(ground_truth);
+DECLARE_string(hide);
+DECLARE_bool(json);
+DECLARE_string(labels_dir);
+DECLARE_string(map);
+DECLARE_int32(num_scans);
+DECLARE_string(output);
+DECLARE_bool(quiet);
+DECLARE_double(resolution);
+DECLARE_string(sequence);
+DECLARE_int32(threads);
+
+namespace semantic_kiss::cli {
+
+// Under which heading of --help a flag stands.
+enum class FlagGroup { kInput, kSelection, kOutput, kExecution };
+
+// What a value is; shells complete it accordingly.
+enum class FlagValue { kText, kNumber, kFile, kDirectory, kNone };
+
+// What is known of a flag beside its type, default and description, which gflags has.
+struct FlagInfo {
+  std::string name;
+  std::string value_name;  // placeholder in help: "DIR"; empty for a flag without value
+  FlagGroup group;
+  FlagValue value;
+  // How help states the default where the flag's own value would not tell ("all cores").
+  std::string default_text{};
+  // Smallest number that the flag may be.
+  double at_least = -std::numeric_limits<double>::infinity();
+};
+
+// All flags, in the order in which help lists them within a group.
+const std::vector<FlagInfo>& Flags();
+
+// The flag called `name`, which must exist (CHECKed: commands name only flags of ours).
+const FlagInfo& FlagNamed(const std::string& name);
+
+}  // namespace semantic_kiss::cli
+
+#endif  // SEMANTIC_KISS_CLI_FLAGS_H_

@@ -1,0 +1,131 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "cartographer/common/status.h"
+#include "cartographer/slam/local_trajectory_builder_registry.h"
+#include "cartographer/slam/map_builder.h"
+#include "gflags/gflags.h"
+#include "semantic_kiss/cli/commands.h"
+#include "semantic_kiss/cli/configuration.h"
+#include "semantic_kiss/cli/drive.h"
+#include "semantic_kiss/cli/flags.h"
+#include "semantic_kiss/cli/output_directory.h"
+#include "semantic_kiss/cli/progress.h"
+#include "semantic_kiss/cli/run_files.h"
+#include "semantic_kiss/cli/run_report.h"
+#include "semantic_kiss/cli/run_result.h"
+#include "semantic_kiss/cli/stop_signals.h"
+#include "semantic_kiss/cli/terminal.h"
+#include "semantic_kiss/dataset/prefetching_scan_source.h"
+#include "semantic_kiss/dataset/semantic_kitti_source.h"
+#include "semantic_kiss/local_trajectory_builder.h"
+
+namespace semantic_kiss::cli {
+namespace {
+
+using cartographer::slam::MapBuilder;
+
+dataset::ScanRange SelectedScans() {
+  dataset::ScanRange range;
+  if (!gflags::GetCommandLineFlagInfoOrDie("first_scan").is_default) range.first = FLAGS_first_scan;
+  if (FLAGS_num_scans > 0) range.count = FLAGS_num_scans;
+  return range;
+}
+
+absl::StatusOr<std::unique_ptr<dataset::ScanSource>> OpenScans(const Configuration& configuration) {
+  ASSIGN_OR_RETURN(
+      std::unique_ptr<dataset::ScanSource> scans,
+      dataset::OpenSemanticKitti({FLAGS_dataset, FLAGS_sequence, FLAGS_labels_dir}, SelectedScans(),
+                                 configuration.options.dataset(), configuration.labels));
+  return std::make_unique<dataset::PrefetchingScanSource>(std::move(scans));
+}
+
+absl::StatusOr<std::unique_ptr<MapBuilder>> MakeMapBuilder(const Configuration& configuration) {
+  cartographer::slam::LocalTrajectoryBuilderRegistry registry;
+  RegisterLocalTrajectoryBuilder(&registry);
+  ASSIGN_OR_RETURN(auto builder, registry.Create(configuration.options.local_trajectory_builder(),
+                                                 configuration.labels));
+  return std::make_unique<MapBuilder>(std::move(builder), configuration.labels);
+}
+
+ProgressReporter MakeProgressReporter(int num_scans) {
+  const Terminal terminal = Terminal::Of(STDERR_FILENO);
+  auto mode = terminal.interactive ? ProgressReporter::Mode::kBar : ProgressReporter::Mode::kLines;
+  if (FLAGS_quiet) mode = ProgressReporter::Mode::kSilent;
+  return ProgressReporter(mode, terminal, num_scans, &SteadySeconds, &std::cerr);
+}
+
+absl::Status Stopped(const DriveRecord& drive, const dataset::ScanSource& scans) {
+  const std::string how_far =
+      absl::StrCat("after ", drive.num_scans, " of ", scans.size(), " scans; ");
+  return absl::CancelledError(absl::StrCat(
+      how_far, drive.num_scans == 0
+                   ? "nothing is written"
+                   : absl::StrCat("trajectory and map of these are whole in ", FLAGS_output)));
+}
+
+absl::Status RunRun() {
+  ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
+  ASSIGN_OR_RETURN(const auto scans, OpenScans(configuration));
+  ASSIGN_OR_RETURN(const auto map_builder, MakeMapBuilder(configuration));
+  ASSIGN_OR_RETURN(const OutputDirectory directory, OutputDirectory::Create(FLAGS_output));
+
+  StopInGoodOrder();
+  ProgressReporter progress = MakeProgressReporter(scans->size());
+  ASSIGN_OR_RETURN(DriveRecord drive, Drive(scans.get(), map_builder.get(), &progress));
+  if (drive.num_scans == 0) return Stopped(drive, *scans);
+
+  ASSIGN_OR_RETURN(RunResult result,
+                   Conclude(configuration, std::move(drive), *scans, map_builder.get()));
+  RETURN_IF_ERROR(WriteRunFiles(directory, &result));
+  if (!FLAGS_quiet) {
+    std::cout << RunSummary(result, directory.path(), Terminal::Of(STDOUT_FILENO));
+  }
+  const bool complete = result.drive.num_scans == result.scans_available;
+  return complete ? absl::OkStatus() : Stopped(result.drive, *scans);
+}
+
+}  // namespace
+
+Command RunCommand() {
+  Command command;
+  command.name = "run";
+  command.summary = "SLAM over a sequence of scans: trajectory, map, picture, report";
+  command.description =
+      "Estimates the trajectory of a sequence in SemanticKITTI's format by semantic KISS-ICP, "
+      "builds submaps with a layer for every label, and writes trajectory, map, picture and "
+      "report to --output.\n\n"
+      "Ctrl-C or SIGTERM ends the drive after the current scan; the files are then written for "
+      "the scans so far and the exit code is 130 or 143. A second one ends at once and leaves the "
+      "files as they were.";
+  command.flags = {{"config"},    {"dataset", true}, {"sequence"}, {"labels_dir"}, {"first_scan"},
+                   {"num_scans"}, {"output", true},  {"threads"},  {"quiet"}};
+  command.files = {
+      {"odometry_kitti.txt",
+       "Poses as the odometry saw the drive, 12 numbers a line; of the camera "
+       "if calib.txt has the row Tr, else of the lidar."},
+      {"trajectory_kitti.txt", "The same as the map has it."},
+      {"trajectory_tum.txt", "Time, position and quaternion of the lidar, as the map has it."},
+      {"map.pbstream", "The map; Cartographer opens it, too."},
+      {"map.png", "Its picture."},
+      {"report.html", "All of it on one page."},
+      {"run.json", "Figures for scripts: time of the stages, memory, accuracy, configuration."}};
+  command.examples = {
+      {"A whole sequence", "run --dataset=kitti/dataset --sequence=00 --output=output/00"},
+      {"Labels of a network, the first 100 scans",
+       "run --dataset=kitti/dataset --labels_dir=predictions --num_scans=100 --output=output"},
+      {"The baseline without labels",
+       "run --config=kiss_icp.lua --dataset=kitti/dataset --output=output/kiss_icp"}};
+  command.run = &RunRun;
+  return command;
+}
+
+}  // namespace semantic_kiss::cli

@@ -1,0 +1,47 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef SEMANTIC_KISS_CLI_RUN_RESULT_H_
+#define SEMANTIC_KISS_CLI_RUN_RESULT_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "cartographer/map/map.h"
+#include "cartographer/slam/map_builder.h"
+#include "semantic_kiss/cli/configuration.h"
+#include "semantic_kiss/cli/drive.h"
+#include "semantic_kiss/dataset/scan_source.h"
+#include "semantic_kiss/evaluation/evaluation.h"
+
+namespace semantic_kiss::cli {
+
+// Everything that a run found out: what its files, its report and its summary are made from.
+struct RunResult {
+  DriveRecord drive;
+  int scans_available = 0;
+  std::vector<std::string> notes;
+  dataset::UnknownLabelIds unknown_label_ids;
+
+  std::vector<cartographer::common::Time> times;
+  // Poses as files have them: of the camera if the data set has one, else of the lidar. As the
+  // odometry saw the drive, and as the map has it.
+  std::vector<cartographer::transform::Rigid3d> odometry, trajectory;
+  // Poses of the lidar in the map.
+  std::vector<cartographer::transform::Rigid3d> map_from_lidar;
+  cartographer::map::Map map;
+  std::optional<evaluation::Evaluation> evaluation;  // where there is ground truth
+  double peak_memory_mib = 0.;                       // of the process so far
+};
+
+// Ends the drive and gathers what is to be told of it, at least one scan (CHECKed). Fails if the
+// ground truth cannot be compared with the poses.
+absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveRecord drive,
+                                   const dataset::ScanSource& scans,
+                                   cartographer::slam::MapBuilder* map_builder);
+
+}  // namespace semantic_kiss::cli
+
+#endif  // SEMANTIC_KISS_CLI_RUN_RESULT_H_

@@ -1,0 +1,37 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef SEMANTIC_KISS_CLI_STAGE_TIMES_H_
+#define SEMANTIC_KISS_CLI_STAGE_TIMES_H_
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace semantic_kiss::cli {
+
+// What a stage took over a run.
+struct StageSummary {
+  double median_ms = 0.;
+  double p95_ms = 0.;  // 95 of 100 calls took at most this long
+  double total_s = 0.;
+};
+
+// The summary of single durations [ms], of which there must be one at least (CHECKed). The median
+// of an even number is the mean of the middle two; percentiles are by nearest rank.
+StageSummary Summarize(std::vector<double> durations_ms);
+
+// Durations of a run's stages, by name, in the order in which the stages first appeared.
+class StageTimes {
+ public:
+  void Add(const std::string& stage, double seconds);
+
+  std::vector<std::pair<std::string, StageSummary>> Summaries() const;
+
+ private:
+  std::vector<std::pair<std::string, std::vector<double>>> durations_ms_;
+};
+
+}  // namespace semantic_kiss::cli
+
+#endif  // SEMANTIC_KISS_CLI_STAGE_TIMES_H_
