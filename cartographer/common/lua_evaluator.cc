@@ -177,7 +177,7 @@ absl::Status Evaluator::ErrorOnStack(size_t chunk, int code) {
   std::string message;
   if (code == LUA_ERRMEM) {
     message = absl::StrCat("needs more than ", LuaSandbox::kMaxMemoryBytes >> 20,
-                           " MiB of memory; is there an endless loop?");
+                           " MiB of memory; is there an endless loop or recursion?");
   } else if (lua_type(lua, -1) == LUA_TSTRING) {
     message = lua_tostring(lua, -1);
   } else {

@@ -79,7 +79,8 @@ std::string NearestName(absl::string_view name, const std::vector<std::string>& 
 std::string SuggestName(absl::string_view name, const std::vector<std::string>& known) {
   if (known.empty()) return "none is known here";
   const std::vector<std::string> nearest = NearestNames(name, known, kMaxListed);
-  if (IsSlip(Distance(name, nearest.front()), name.size())) {
+  const size_t length = std::min(name.size(), nearest.front().size());
+  if (IsSlip(Distance(name, nearest.front()), length)) {
     return absl::StrCat("did you mean \"", nearest.front(), "\"?");
   }
   return absl::StrCat("known: ", QuotedList(nearest), known.size() > nearest.size() ? ", ..." : "");
