@@ -1,0 +1,54 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/io/map_image.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "cartographer/common/status.h"
+#include "cartographer/io/atomic_file.h"
+#include "cartographer/io/draw_page.h"
+#include "cartographer/io/raster_frame.h"
+#include "cartographer/io/raster_gaps.h"
+#include "cartographer/io/raster_shading.h"
+#include "cartographer/io/raster_shadow.h"
+#include "cartographer/io/semantic_raster.h"
+
+namespace cartographer::io {
+namespace {
+
+absl::StatusOr<sensor::LabelMask> MaskOf(const sensor::LabelSet& labels,
+                                         const proto::RenderOptions& options) {
+  sensor::LabelMask mask;
+  for (const std::string& name : options.hide()) {
+    ASSIGN_OR_RETURN(const sensor::Label label, labels.FromName(name));
+    mask.Insert(label);
+  }
+  return mask;
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> RenderMapImage(const map::Map& map,
+                                           const proto::RenderOptions& options) {
+  absl::StatusOr<sensor::LabelMask> hidden = MaskOf(map.labels, options);
+  if (!hidden.ok()) return common::AddContext(hidden.status(), "render.hide");
+  ASSIGN_OR_RETURN(
+      const RasterFrame frame,
+      FrameOf(map, *hidden, {options.resolution_m(), options.max_side_px(), options.crop_share()}));
+  SemanticRaster raster = ComposeRaster(map, *hidden, frame);
+  FillGaps(map.labels.WithRole(sensor::LabelRole::kGround), options.fill_gaps_m(), &raster);
+  const std::vector<uint32_t> pixels =
+      ShadeRaster(raster, map.labels, CastShadows(map, *hidden, frame));
+  ASSIGN_OR_RETURN(const Canvas canvas, DrawPage(map, options, raster, pixels));
+  return canvas.ToPng();
+}
+
+absl::Status WriteMapImage(const map::Map& map, const proto::RenderOptions& options,
+                           const std::string& path) {
+  ASSIGN_OR_RETURN(const std::string bytes, RenderMapImage(map, options));
+  return WriteFileAtomically(path, bytes);
+}
+
+}  // namespace cartographer::io
