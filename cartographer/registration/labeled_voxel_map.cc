@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "glog/logging.h"
@@ -18,6 +19,10 @@ constexpr uint32_t kLanes = 4;
 using Floats = float __attribute__((vector_size(16)));
 using Ints = int32_t __attribute__((vector_size(16)));
 
+// How much farther [voxels] than the best point so far the search looks, only to tell how much
+// farther the second best is. Larger values make a search slower and its answer valid for longer.
+constexpr float kLookBeyond = 0.05f;
+
 // Where no point is; far enough that it never is the nearest.
 constexpr float kNowhere = 1e15f;
 
@@ -29,13 +34,55 @@ Floats Load(const float* values) {
 
 constexpr std::array<int, 3> kNearShiftsFirst = {0, -1, 1};
 
+// From `offset` to the points at `x`, `x + stride`, `x + 2 * stride` and the three after them.
+// Slots beyond a block's size hold kNowhere, so whole groups of lanes can be read.
+Floats SquaredDistances(const float* x, uint32_t stride, const Eigen::Vector3f& offset) {
+  const Floats dx = Load(x) - offset.x();
+  const Floats dy = Load(x + stride) - offset.y();
+  const Floats dz = Load(x + 2 * stride) - offset.z();
+  return dx * dx + dy * dy + dz * dz;
+}
+
+bool AnyLane(const Ints& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
 uint32_t RoundUpToLanes(uint32_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 }  // namespace
 
-// The nearest point so far, by where it is stored.
-struct LabeledVoxelMap::Candidate {
-  float squared_distance;
+// The state of one search: the nearest point so far, by where it is stored, and what is known of
+// all others.
+struct LabeledVoxelMap::Search {
+  // Whether a voxel whose nearest side is that far away may hold something of interest; if not, its
+  // distance bounds that of the points in it.
+  bool MayHelp(float squared_gap) {
+    if (squared_gap < squared_horizon) return true;
+    squared_others = std::min(squared_others, squared_gap);
+    return false;
+  }
+
+  void Improve(float squared_distance, const VoxelCoordinates& in_voxel, uint32_t in_block,
+               uint32_t in_slot) {
+    if (squared_distance >= squared_nearest) {
+      squared_others = std::min(squared_others, squared_distance);
+      return;
+    }
+    if (block != VoxelIndex::kNone) squared_others = std::min(squared_others, squared_nearest);
+    squared_nearest = squared_distance;
+    voxel = in_voxel;
+    block = in_block;
+    slot = in_slot;
+    SetHorizon();
+  }
+
+  void SetHorizon() {
+    const float horizon = std::sqrt(squared_nearest) + look_beyond;
+    squared_horizon = horizon * horizon;
+  }
+
+  float look_beyond;
+  float squared_nearest;
+  float squared_horizon;
+  float squared_others = std::numeric_limits<float>::max();
   VoxelCoordinates voxel;
   uint32_t block = VoxelIndex::kNone;
   uint32_t slot = 0;
@@ -88,13 +135,12 @@ bool LabeledVoxelMap::HasRoom(const Voxel& voxel, const Eigen::Vector3f& offset,
   if (voxel.num_ordinary >= max_ordinary_) return false;
   for (uint32_t block = voxel.first_block; block != VoxelIndex::kNone;
        block = blocks_[block].next) {
-    const float* const x = Coordinates(block);
-    const float* const y = x + block_capacity_;
-    const float* const z = y + block_capacity_;
-    for (uint32_t i = 0; i < blocks_[block].size; ++i) {
-      const float dx = x[i] - offset.x(), dy = y[i] - offset.y(), dz = z[i] - offset.z();
-      if (dx * dx + dy * dy + dz * dz < min_squared_distance_) return false;
+    Ints too_close = {};
+    for (uint32_t i = 0; i < blocks_[block].size; i += kLanes) {
+      too_close |= SquaredDistances(Coordinates(block) + i, block_capacity_, offset) <
+                   min_squared_distance_ + Floats{};
     }
+    if (AnyLane(too_close)) return false;
   }
   return true;
 }
@@ -176,78 +222,72 @@ void LabeledVoxelMap::Clear() {
 }
 
 void LabeledVoxelMap::SearchVoxel(const VoxelCoordinates& coordinates,
-                                  const Eigen::Vector3f& query_offset, Candidate* best) const {
+                                  const Eigen::Vector3f& query_offset, Search* search) const {
   const uint32_t found = index_.Find(KeyOf(coordinates));
   if (found == VoxelIndex::kNone) return;
-  const Floats zero = {};
-  const Floats query_x = query_offset.x() + zero;
-  const Floats query_y = query_offset.y() + zero;
-  const Floats query_z = query_offset.z() + zero;
   for (uint32_t block = voxels_[found].first_block; block != VoxelIndex::kNone;
        block = blocks_[block].next) {
-    const float* const x = Coordinates(block);
-    const float* const y = x + block_capacity_;
-    const float* const z = y + block_capacity_;
-    Floats nearest = best->squared_distance + zero;
+    const float squared_horizon = search->squared_horizon;
+    Floats nearest = squared_horizon + Floats{};
+    Floats second = nearest;
     Ints where = Ints{} - 1;
-    // Slots beyond the size hold kNowhere, so whole groups of lanes can be read.
     for (uint32_t i = 0; i < blocks_[block].size; i += kLanes) {
-      const Floats dx = Load(x + i) - query_x;
-      const Floats dy = Load(y + i) - query_y;
-      const Floats dz = Load(z + i) - query_z;
-      const Floats squared_distance = dx * dx + dy * dy + dz * dz;
-      const Ints nearer = squared_distance < nearest;
-      nearest = nearer ? squared_distance : nearest;
+      const Floats distance =
+          SquaredDistances(Coordinates(block) + i, block_capacity_, query_offset);
+      const Ints nearer = distance < nearest;
+      const Floats loser = nearer ? nearest : distance;
+      second = loser < second ? loser : second;
+      nearest = nearer ? distance : nearest;
       where = nearer ? Ints{} + static_cast<int32_t>(i) : where;
     }
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (where[lane] >= 0 && nearest[lane] < best->squared_distance) {
-        *best = {nearest[lane], coordinates, block, static_cast<uint32_t>(where[lane]) + lane};
-      }
+      if (where[lane] < 0) continue;
+      search->Improve(nearest[lane], coordinates, block, static_cast<uint32_t>(where[lane]) + lane);
+      search->squared_others = std::min(search->squared_others, second[lane]);
     }
+    // Points beyond the horizon were not told apart.
+    search->squared_others = std::min(search->squared_others, squared_horizon);
   }
 }
 
-std::optional<LabeledVoxelMap::Neighbor> LabeledVoxelMap::FindNearest(const Eigen::Vector3d& query,
-                                                                      double max_distance_m) const {
-  const VoxelCoordinates voxel = VoxelOf(query, inverse_voxel_size_);
+LabeledVoxelMap::Nearest LabeledVoxelMap::FindNearest(const Eigen::Vector3d& query,
+                                                      double max_distance_m) const {
+  const VoxelCoordinates voxel = VoxelAt(query);
   const Eigen::Vector3f offset = (query - Corner(voxel)).cast<float>();
   const float size = static_cast<float>(voxel_size_);
   // Squared distances to the near sides of the neighbours below and above, by axis.
   const Eigen::Array3f below = offset.array().square();
   const Eigen::Array3f above = (size - offset.array()).square();
-
-  Candidate best;
-  best.squared_distance = static_cast<float>(max_distance_m * max_distance_m);
-  SearchVoxel(voxel, offset, &best);
-  // Most neighbours lie farther away than the best point so far; whole rows and layers of them are
-  // skipped at once.
   const auto gap = [&](int axis, int shift) {
     return shift == 0 ? 0.f : shift < 0 ? below[axis] : above[axis];
   };
+
+  Search search;
+  search.look_beyond = kLookBeyond * size;
+  search.squared_nearest = static_cast<float>(max_distance_m * max_distance_m);
+  search.SetHorizon();
+  // Most neighbours lie farther away than the best point so far; whole rows and layers of them are
+  // skipped at once.
   for (const int z : kNearShiftsFirst) {
-    if (gap(2, z) >= best.squared_distance) continue;
+    if (!search.MayHelp(gap(2, z))) continue;
     for (const int y : kNearShiftsFirst) {
-      if (gap(2, z) + gap(1, y) >= best.squared_distance) continue;
+      if (!search.MayHelp(gap(2, z) + gap(1, y))) continue;
       for (const int x : kNearShiftsFirst) {
-        if ((x == 0 && y == 0 && z == 0) ||
-            gap(2, z) + gap(1, y) + gap(0, x) >= best.squared_distance) {
-          continue;
-        }
+        if (!search.MayHelp(gap(2, z) + gap(1, y) + gap(0, x))) continue;
         const Eigen::Array3i shift(x, y, z);
-        SearchVoxel(voxel + shift, offset - shift.cast<float>().matrix() * size, &best);
+        SearchVoxel(voxel + shift, offset - shift.cast<float>().matrix() * size, &search);
       }
     }
   }
-  if (best.block == VoxelIndex::kNone) return std::nullopt;
 
-  const float* const coordinates = Coordinates(best.block);
-  const Eigen::Vector3d position =
-      Corner(best.voxel) + Eigen::Vector3d(coordinates[best.slot],
-                                           coordinates[block_capacity_ + best.slot],
-                                           coordinates[2 * block_capacity_ + best.slot]);
-  return Neighbor{position, labels_[size_t{best.block} * block_capacity_ + best.slot],
-                  (position - query).squaredNorm()};
+  Nearest result;
+  result.others_beyond_m = std::sqrt(search.squared_others);
+  if (search.block == VoxelIndex::kNone) return result;
+  const float* const x = Coordinates(search.block) + search.slot;
+  const Eigen::Vector3d found(x[0], x[block_capacity_], x[2 * block_capacity_]);
+  result.neighbor = {Corner(search.voxel) + found,
+                     labels_[size_t{search.block} * block_capacity_ + search.slot]};
+  return result;
 }
 
 sensor::LabeledPointCloud LabeledVoxelMap::ToPointCloud() const {

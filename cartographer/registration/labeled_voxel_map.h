@@ -31,7 +31,12 @@ class LabeledVoxelMap {
   struct Neighbor {
     Eigen::Vector3d position;
     sensor::Label label;
-    double squared_distance;  // [m^2]
+  };
+  struct Nearest {
+    std::optional<Neighbor> neighbor;
+    // No other point that was looked for is nearer than this [m]: what tells how far the query may
+    // move before the answer can change.
+    float others_beyond_m;
   };
 
   // Classes in `critical` are spared by the voxel's limit.
@@ -46,8 +51,13 @@ class LabeledVoxelMap {
   void Clear();
 
   // The point nearest to `query` among those nearer than `max_distance_m` in the 27 voxels
-  // around it (so distances over voxel_size_m are not all seen); nullopt if there is none.
-  std::optional<Neighbor> FindNearest(const Eigen::Vector3d& query, double max_distance_m) const;
+  // around it (so distances over voxel_size_m are not all seen), if there is one.
+  Nearest FindNearest(const Eigen::Vector3d& query, double max_distance_m) const;
+
+  // The voxel that a point lies in.
+  VoxelCoordinates VoxelAt(const Eigen::Vector3d& point) const {
+    return VoxelOf(point, inverse_voxel_size_);
+  }
 
   // All points, voxel by voxel.
   sensor::LabeledPointCloud ToPointCloud() const;
@@ -69,13 +79,13 @@ class LabeledVoxelMap {
     uint32_t next = VoxelIndex::kNone;
     uint16_t size = 0;
   };
-  struct Candidate;
+  struct Search;
 
   void InsertPoint(const Eigen::Vector3d& point, sensor::Label label, float certainty);
   bool HasRoom(const Voxel& voxel, const Eigen::Vector3f& offset, bool critical) const;
   void Append(Voxel* voxel, const Eigen::Vector3f& offset, sensor::Label label, float certainty);
   void SearchVoxel(const VoxelCoordinates& voxel, const Eigen::Vector3f& query_offset,
-                   Candidate* best) const;
+                   Search* search) const;
   uint32_t NewBlock();
   void FreeBlocks(uint32_t first_block);
   float* Coordinates(uint32_t block) { return &coordinates_[3 * size_t{block} * block_capacity_]; }

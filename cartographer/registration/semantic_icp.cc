@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cartographer/common/parallel.h"
+#include "cartographer/registration/correspondence_search.h"
 #include "cartographer/registration/normal_equations.h"
 #include "cartographer/transform/se3.h"
 #include "glog/logging.h"
@@ -22,32 +23,33 @@ constexpr size_t kPointsPerChunk = 256;
 // Pairs the points of [begin, end) with the map and sums their equations, about the position of
 // the source's frame.
 NormalEquations SumPairs(const sensor::LabeledPointCloud& source, size_t begin, size_t end,
-                         const LabeledVoxelMap& map, const Rigid3d& map_from_source,
-                         const IcpScale& scale, const proto::IcpOptions& options) {
+                         const Rigid3d& map_from_source, double kernel_scale,
+                         const proto::IcpOptions& options, CorrespondenceSearch* search) {
   const Eigen::Matrix3d rotation = map_from_source.rotation().toRotationMatrix();
   const Eigen::Vector3d& origin = map_from_source.translation();
   NormalEquations equations;
   for (size_t i = begin; i < end; ++i) {
     const Eigen::Vector3d arm = rotation * source.positions[i].cast<double>();
-    const auto neighbor = map.FindNearest(arm + origin, scale.gate_m);
+    const auto neighbor = search->Find(i, arm + origin);
     if (!neighbor.has_value()) continue;
-    double weight = GemanMcClureWeight(neighbor->squared_distance, scale.kernel_scale);
+    const Eigen::Vector3d target = neighbor->position - origin;
+    double weight = GemanMcClureWeight((arm - target).squaredNorm(), kernel_scale);
     if (options.weight_by_certainty()) {
       weight *= CertaintyWeight(source.labels[i], source.certainties[i], neighbor->label,
                                 options.unlabeled_weight());
     }
-    equations.AddPair(arm, neighbor->position - origin, weight);
+    equations.AddPair(arm, target, weight);
   }
   return equations;
 }
 
-NormalEquations SumAllPairs(const sensor::LabeledPointCloud& source, const LabeledVoxelMap& map,
-                            const Rigid3d& map_from_source, const IcpScale& scale,
-                            const proto::IcpOptions& options) {
+NormalEquations SumAllPairs(const sensor::LabeledPointCloud& source, const Rigid3d& map_from_source,
+                            double kernel_scale, const proto::IcpOptions& options,
+                            CorrespondenceSearch* search) {
   NormalEquations sum;
   for (const NormalEquations& part : common::ParallelMapChunks<NormalEquations>(
            source.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
-             return SumPairs(source, begin, end, map, map_from_source, scale, options);
+             return SumPairs(source, begin, end, map_from_source, kernel_scale, options, search);
            })) {
     sum.Add(part);
   }
@@ -99,9 +101,10 @@ IcpReport AlignCloud(const sensor::LabeledPointCloud& source, const LabeledVoxel
   report.map_from_source = map_from_guess;
   if (source.size() < static_cast<size_t>(options.min_points())) return report;
 
+  CorrespondenceSearch search(map, scale.gate_m, source.size());
   while (report.iterations < options.max_iterations()) {
     const NormalEquations equations =
-        SumAllPairs(source, map, report.map_from_source, scale, options);
+        SumAllPairs(source, report.map_from_source, scale.kernel_scale, options, &search);
     ++report.iterations;
     report.num_correspondences = equations.num_pairs();
     report.inlier_ratio = static_cast<double>(equations.num_pairs()) / source.size();

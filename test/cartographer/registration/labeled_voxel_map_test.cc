@@ -58,7 +58,7 @@ TEST(LabeledVoxelMapTest, FindsTheNearestPointLikeAnExhaustiveSearch) {
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d query(uniform(random), uniform(random), uniform(random));
     // Up to one voxel the 27 neighbours see everything.
-    const double max_distance_m = 0.05 + 0.95 * i / 2000.;
+    const double max_distance_m = 0.05 + 0.85 * i / 2000.;
     double nearest = max_distance_m;
     size_t nearest_index = points.size();
     for (size_t j = 0; j < points.size(); ++j) {
@@ -68,11 +68,16 @@ TEST(LabeledVoxelMapTest, FindsTheNearestPointLikeAnExhaustiveSearch) {
         nearest_index = j;
       }
     }
-    const auto neighbor = map.FindNearest(query, max_distance_m);
+    const LabeledVoxelMap::Nearest result = map.FindNearest(query, max_distance_m);
+    const auto& neighbor = result.neighbor;
+    for (size_t j = 0; j < points.size(); ++j) {
+      if (j == nearest_index) continue;
+      ASSERT_GE((points.positions[j].cast<double>() - query).norm(), result.others_beyond_m - 1e-5);
+    }
     ASSERT_EQ(neighbor.has_value(), nearest_index < points.size()) << i;
     if (!neighbor.has_value()) continue;
     ++found;
-    EXPECT_NEAR(std::sqrt(neighbor->squared_distance), nearest, 1e-6);
+    EXPECT_NEAR((neighbor->position - query).norm(), nearest, 1e-6);
     EXPECT_EQ(neighbor->label, points.labels[nearest_index]);
     EXPECT_LT((neighbor->position - points.positions[nearest_index].cast<double>()).norm(), 1e-6);
   }
@@ -123,13 +128,13 @@ TEST(LabeledVoxelMapTest, ForgetsWhatIsFar) {
   map.RemoveFarFrom({0., 0., 0.}, 50.);
   EXPECT_EQ(map.num_voxels(), 50);
   EXPECT_EQ(map.num_points(), 50);
-  EXPECT_FALSE(map.FindNearest({70.5, 0., 0.}, 1.).has_value());
-  ASSERT_TRUE(map.FindNearest({20.6, 0., 0.}, 1.).has_value());
-  EXPECT_NEAR(map.FindNearest({20.6, 0., 0.}, 1.)->position.x(), 20.5, 1e-6);
+  EXPECT_FALSE(map.FindNearest({70.5, 0., 0.}, 1.).neighbor.has_value());
+  ASSERT_TRUE(map.FindNearest({20.6, 0., 0.}, 1.).neighbor.has_value());
+  EXPECT_NEAR(map.FindNearest({20.6, 0., 0.}, 1.).neighbor->position.x(), 20.5, 1e-6);
   // Freed storage is used again.
   map.Insert(cloud, Rigid3d());
   EXPECT_EQ(map.num_points(), 100);
-  EXPECT_TRUE(map.FindNearest({70.5, 0., 0.}, 1.).has_value());
+  EXPECT_TRUE(map.FindNearest({70.5, 0., 0.}, 1.).neighbor.has_value());
 }
 
 TEST(LabeledVoxelMapTest, KeepsItsPrecisionFarFromTheOrigin) {
@@ -140,7 +145,7 @@ TEST(LabeledVoxelMapTest, KeepsItsPrecisionFarFromTheOrigin) {
   LabeledVoxelMap map(Options(), Poles());
   const Eigen::Vector3d far(50000., -30000., 1000.);
   map.Insert(cloud, Rigid3d::Translation(far));
-  const auto neighbor = map.FindNearest(far + Eigen::Vector3d(0.1, 0.7, 0.4), 1.);
+  const auto neighbor = map.FindNearest(far + Eigen::Vector3d(0.1, 0.7, 0.4), 1.).neighbor;
   ASSERT_TRUE(neighbor.has_value());
   EXPECT_LT((neighbor->position - far - cloud.positions[0].cast<double>()).norm(), 1e-6);
 }
@@ -148,7 +153,7 @@ TEST(LabeledVoxelMapTest, KeepsItsPrecisionFarFromTheOrigin) {
 TEST(LabeledVoxelMapTest, EmptyMapHasNoNeighbors) {
   LabeledVoxelMap map(Options(), Poles());
   EXPECT_TRUE(map.Empty());
-  EXPECT_FALSE(map.FindNearest({0., 0., 0.}, 10.).has_value());
+  EXPECT_FALSE(map.FindNearest({0., 0., 0.}, 10.).neighbor.has_value());
   EXPECT_TRUE(map.ToPointCloud().empty());
   map.RemoveFarFrom({0., 0., 0.}, 1.);
   map.Insert({}, Rigid3d());

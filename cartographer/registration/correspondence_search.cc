@@ -1,0 +1,28 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/registration/correspondence_search.h"
+
+namespace cartographer::registration {
+namespace {
+
+// The map's distances are floats; what they promise is trusted less this much [m].
+constexpr double kRoundOff = 1e-5;
+
+}  // namespace
+
+void CorrespondenceSearch::Search(const Eigen::Vector3d& query, Memory* memory) const {
+  const LabeledVoxelMap::Nearest nearest = map_.FindNearest(query, max_distance_m_);
+  memory->query = query;
+  memory->voxel = map_.VoxelAt(query);
+  memory->neighbor = nearest.neighbor;
+  const double others_beyond_m = nearest.others_beyond_m - kRoundOff;
+  if (nearest.neighbor.has_value()) {
+    const double distance = (nearest.neighbor->position - query).norm();
+    memory->free_motion_m = (others_beyond_m - distance) / 2.;
+  } else {
+    memory->free_motion_m = others_beyond_m - max_distance_m_;
+  }
+}
+
+}  // namespace cartographer::registration
