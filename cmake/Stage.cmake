@@ -1,6 +1,7 @@
 # add_stage(NAME [TREE tree] DEPS target...)
 #
-# Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date. TREE
+# Makes the library of the calling folder: every .cc and .h in it, no list to keep up to date. Only
+# main.cc is left out: it is a program's, and a library with a main() would end up in tests. TREE
 # is needed where the calling folder is itself the top of a tree. The target is <tree>_<folder>
 # (cartographer_sensor), its alias <tree>::<folder>, which is also its name for projects that
 # find_package(semantic_kiss).
@@ -13,7 +14,7 @@ function(add_stage name)
   endif()
   set(target ${tree}_${name})
   file(GLOB sources CONFIGURE_DEPENDS *.cc)
-  list(FILTER sources EXCLUDE REGEX "/main\\.cc$")  # a program's, not the library's
+  list(FILTER sources EXCLUDE REGEX "/main\\.cc$")
   file(GLOB headers CONFIGURE_DEPENDS *.h)
   if(sources)
     add_library(${target} STATIC ${sources} ${headers})

@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::StartsWith;
 
+// Over budget: a declaration, not logic.
 proto::LabelSet Declaration() {
   proto::LabelSet declaration;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
