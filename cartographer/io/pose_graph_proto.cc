@@ -1,0 +1,179 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/io/pose_graph_proto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "cartographer/common/status.h"
+#include "cartographer/io/pose_proto.h"
+
+namespace cartographer::io {
+namespace {
+
+using ProtoConstraint = mapping::proto::PoseGraph::Constraint;
+
+std::map<int, mapping::proto::Trajectory> Trajectories(const map::Map& map) {
+  std::map<int, mapping::proto::Trajectory> trajectories;
+  for (const auto& [id, node] : map.nodes) {
+    auto& proto = *trajectories[id.trajectory_id].add_node();
+    proto.set_node_index(id.node_index);
+    proto.set_timestamp(common::ToUniversal(node.time));
+    *proto.mutable_pose() = ToProto(node.map_from_node);
+  }
+  for (const auto& [id, submap] : map.submaps) {
+    auto& proto = *trajectories[id.trajectory_id].add_submap();
+    proto.set_submap_index(id.submap_index);
+    *proto.mutable_pose() = ToProto(submap.map_from_submap);
+  }
+  for (auto& [id, proto] : trajectories) proto.set_trajectory_id(id);
+  return trajectories;
+}
+
+ProtoConstraint ConstraintToProto(const map::Constraint& constraint) {
+  ProtoConstraint proto;
+  *proto.mutable_submap_id() = ToProto(constraint.submap_id);
+  *proto.mutable_node_id() = ToProto(constraint.node_id);
+  *proto.mutable_relative_pose() = ToProto(constraint.submap_from_node);
+  proto.set_translation_weight(constraint.translation_weight);
+  proto.set_rotation_weight(constraint.rotation_weight);
+  proto.set_tag(constraint.kind == map::Constraint::Kind::kIntraSubmap
+                    ? ProtoConstraint::INTRA_SUBMAP
+                    : ProtoConstraint::INTER_SUBMAP);
+  return proto;
+}
+
+// Adds an element whose pose is `proto`; `make` turns the pose into the element.
+template <typename Id, typename Element, typename Make>
+absl::Status Insert(const Id& id, int index, const transform::proto::Rigid3d& proto,
+                    std::map<Id, Element>* elements, const Make& make) {
+  if (index < 0) return absl::DataLossError(absl::StrCat(Name(id), " has a negative index"));
+  const absl::StatusOr<transform::Rigid3d> pose = FromProto(proto);
+  RETURN_IF_ERROR(common::AddContext(pose.status(), Name(id)));
+  if (!elements->emplace(id, make(*pose)).second) {
+    return absl::DataLossError(absl::StrCat(Name(id), " is listed twice"));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status AddTrajectory(const mapping::proto::Trajectory& proto, PoseGraph* graph) {
+  const int id = proto.trajectory_id();
+  const auto& ids = graph->trajectory_ids;
+  if (id < 0 || std::find(ids.begin(), ids.end(), id) != ids.end()) {
+    return absl::DataLossError(absl::StrCat("trajectory ", id, " is listed twice or negative"));
+  }
+  graph->trajectory_ids.push_back(id);
+  for (const auto& node : proto.node()) {
+    const common::Time time = common::FromUniversal(node.timestamp());
+    RETURN_IF_ERROR(Insert(submap::NodeId{id, node.node_index()}, node.node_index(), node.pose(),
+                           &graph->nodes, [time](const transform::Rigid3d& pose) {
+                             return PoseGraph::Node{time, pose};
+                           }));
+  }
+  for (const auto& submap : proto.submap()) {
+    RETURN_IF_ERROR(Insert(submap::SubmapId{id, submap.submap_index()}, submap.submap_index(),
+                           submap.pose(), &graph->map_from_submap,
+                           [](const transform::Rigid3d& pose) { return pose; }));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckTimes(const PoseGraph& graph) {
+  const submap::NodeId* previous = nullptr;
+  common::Time previous_time;
+  for (const auto& [id, node] : graph.nodes) {
+    if (previous != nullptr && previous->trajectory_id == id.trajectory_id &&
+        node.time < previous_time) {
+      return absl::DataLossError(absl::StrCat(Name(id), " is older than ", Name(*previous)));
+    }
+    previous = &id;
+    previous_time = node.time;
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<map::Constraint> ConstraintFromProto(const ProtoConstraint& proto,
+                                                    const PoseGraph& graph) {
+  map::Constraint constraint;
+  constraint.submap_id = FromProto(proto.submap_id());
+  constraint.node_id = FromProto(proto.node_id());
+  if (graph.map_from_submap.count(constraint.submap_id) == 0) {
+    return absl::DataLossError(absl::StrCat(Name(constraint.submap_id), " does not exist"));
+  }
+  if (graph.nodes.count(constraint.node_id) == 0) {
+    return absl::DataLossError(absl::StrCat(Name(constraint.node_id), " does not exist"));
+  }
+  ASSIGN_OR_RETURN(constraint.submap_from_node, FromProto(proto.relative_pose()));
+  constraint.translation_weight = proto.translation_weight();
+  constraint.rotation_weight = proto.rotation_weight();
+  const double weights[] = {constraint.translation_weight, constraint.rotation_weight};
+  for (const double weight : weights) {
+    if (std::isfinite(weight) && weight >= 0.) continue;
+    return absl::DataLossError(absl::StrCat("the weight ", weight, " is negative or not finite"));
+  }
+  if (proto.tag() != ProtoConstraint::INTRA_SUBMAP &&
+      proto.tag() != ProtoConstraint::INTER_SUBMAP) {
+    return absl::DataLossError(absl::StrCat("unknown kind ", static_cast<int>(proto.tag())));
+  }
+  constraint.kind = proto.tag() == ProtoConstraint::INTRA_SUBMAP
+                        ? map::Constraint::Kind::kIntraSubmap
+                        : map::Constraint::Kind::kInterSubmap;
+  return constraint;
+}
+
+absl::Status AddConstraints(const mapping::proto::PoseGraph& proto, PoseGraph* graph) {
+  std::set<std::pair<submap::SubmapId, submap::NodeId>> members;
+  graph->constraints.reserve(proto.constraint_size());
+  for (const ProtoConstraint& constraint_proto : proto.constraint()) {
+    absl::StatusOr<map::Constraint> constraint = ConstraintFromProto(constraint_proto, *graph);
+    if (constraint.ok() && constraint->kind == map::Constraint::Kind::kIntraSubmap &&
+        !members.emplace(constraint->submap_id, constraint->node_id).second) {
+      constraint = absl::DataLossError(absl::StrCat(Name(constraint->node_id), " is in ",
+                                                    Name(constraint->submap_id), " twice"));
+    }
+    RETURN_IF_ERROR(common::AddContext(constraint.status(),
+                                       absl::StrCat("constraint ", graph->constraints.size())));
+    graph->constraints.push_back(*std::move(constraint));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+mapping::proto::PoseGraph ToProto(const map::Map& map) {
+  mapping::proto::PoseGraph proto;
+  for (const map::Constraint& constraint : map.constraints) {
+    *proto.add_constraint() = ConstraintToProto(constraint);
+  }
+  for (auto& [id, trajectory] : Trajectories(map)) *proto.add_trajectory() = std::move(trajectory);
+  return proto;
+}
+
+absl::StatusOr<PoseGraph> FromProto(const mapping::proto::PoseGraph& proto) {
+  PoseGraph graph;
+  for (const mapping::proto::Trajectory& trajectory : proto.trajectory()) {
+    RETURN_IF_ERROR(AddTrajectory(trajectory, &graph));
+  }
+  std::sort(graph.trajectory_ids.begin(), graph.trajectory_ids.end());
+  RETURN_IF_ERROR(CheckTimes(graph));
+  RETURN_IF_ERROR(AddConstraints(proto, &graph));
+  return graph;
+}
+
+mapping::proto::AllTrajectoryBuilderOptions OptionsFor(
+    const mapping::proto::PoseGraph& pose_graph) {
+  mapping::proto::AllTrajectoryBuilderOptions options;
+  for (int i = 0; i < pose_graph.trajectory_size(); ++i) {
+    mapping::proto::SensorId& sensor = *options.add_options_with_sensor_ids()->add_sensor_id();
+    sensor.set_type(mapping::proto::SensorId::RANGE);
+    sensor.set_id("lidar");
+  }
+  return options;
+}
+
+}  // namespace cartographer::io

@@ -1,0 +1,152 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef TEST_CARTOGRAPHER_IO_SMALL_MAP_H_
+#define TEST_CARTOGRAPHER_IO_SMALL_MAP_H_
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "cartographer/map/map.h"
+#include "glog/logging.h"
+
+namespace cartographer::io {
+
+// A directory of a test's own, removed at its end.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory()
+      : path_(std::filesystem::temp_directory_path() /
+              ("semantic_kiss_io_test_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directory(path_);
+  }
+  ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
+  std::string Path(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string FileContent(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  CHECK(in) << path;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+inline void WriteFile(const std::string& path, const std::string& content) {
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+// unlabeled 0, road 1, car 2, building 3, pole 4.
+inline sensor::LabelSet StreetLabels() {
+  sensor::proto::LabelSet declaration;
+  declaration.set_name("street");
+  declaration.set_default_certainty(0.75);
+  const auto add = [&declaration](int id, const std::string& name, const std::string& role) {
+    sensor::proto::LabelClass& label_class = *declaration.add_classes();
+    label_class.set_id(id);
+    label_class.set_name(name);
+    for (const int component : {id, 2 * id, 255 - id}) label_class.add_color(component);
+    if (!role.empty()) label_class.add_roles(role);
+  };
+  add(0, "unlabeled", "unlabeled");
+  add(40, "road", "ground");
+  add(10, "car", "movable");
+  add(50, "building", "");
+  add(80, "pole", "critical");
+  absl::StatusOr<sensor::LabelSet> labels = sensor::LabelSet::Create(declaration);
+  CHECK(labels.ok()) << labels.status();
+  return *std::move(labels);
+}
+
+inline sensor::LabeledPointCloud RandomCloud(int size, bool optional_columns,
+                                             std::mt19937* random) {
+  std::uniform_real_distribution<float> uniform(0.f, 1.f);
+  sensor::LabeledPointCloud cloud;
+  for (int i = 0; i < size; ++i) {
+    const float range = 30.f * uniform(*random), angle = 6.28f * uniform(*random);
+    cloud.positions.emplace_back(range * std::cos(angle), range * std::sin(angle),
+                                 3.f * uniform(*random) - 1.7f);
+    cloud.labels.push_back(sensor::Label{static_cast<uint8_t>((*random)() % 5)});
+    cloud.certainties.push_back(uniform(*random));
+    if (!optional_columns) continue;
+    cloud.intensities.push_back(uniform(*random));
+    cloud.times.push_back(-0.1f * uniform(*random));
+  }
+  return cloud;
+}
+
+inline transform::Rigid3d RandomPose(std::mt19937* random) {
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  const Eigen::Vector3d position(100. * uniform(*random), 100. * uniform(*random),
+                                 uniform(*random));
+  const Eigen::AngleAxisd heading(3. * uniform(*random), Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd pitch(0.05 * uniform(*random), Eigen::Vector3d::UnitY());
+  return transform::Rigid3d(position, heading * pitch);
+}
+
+// A made-up map with several labels: `nodes_per_trajectory` nodes and a submap for every two of
+// them in each of two trajectories, which are not numbered 0 and 1.
+inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node) {
+  std::mt19937 random(7);
+  map::Map map;
+  map.labels = StreetLabels();
+  map.configuration_lua = "return { voxel_size_m = 1. }\n";
+  map.history = {"semantic_kiss 0.1.0", "filter --remove=car"};
+  for (const int trajectory : {1, 4}) {
+    for (int i = 0; i < nodes_per_trajectory; ++i) {
+      const submap::NodeId node_id{trajectory, 3 + i};
+      map::MapNode& node = map.nodes[node_id];
+      node.time = common::FromUnixSeconds(1e9 + 100. * trajectory + 0.1 * i);
+      node.map_from_node = RandomPose(&random);
+      node.local_from_node = RandomPose(&random);
+      node.cloud = std::make_shared<sensor::LabeledPointCloud>(
+          RandomCloud(points_per_node, trajectory == 4, &random));
+
+      const submap::SubmapId submap_id{trajectory, i / 2};
+      map.constraints.push_back({submap_id, node_id, RandomPose(&random), 1e3, 2.5e2,
+                                 map::Constraint::Kind::kIntraSubmap});
+      if (i % 2 == 1) continue;
+      auto submap = std::make_shared<submap::Submap>(0.25);
+      submap->local_from_submap = transform::Level(RandomPose(&random));
+      submap->num_scans = 2;
+      submap->finished = i + 2 < nodes_per_trajectory;
+      submap->cloud = RandomCloud(2 * points_per_node, false, &random);
+      for (size_t j = 0; j < submap->cloud.size(); ++j) {
+        const Eigen::Vector2f position = submap->cloud.positions[j].head<2>();
+        submap->grid.AddHits(submap->cloud.labels[j], submap->grid.CellOf(position),
+                             1 + static_cast<int>(random() % (j == 0 ? 100000 : 20)));
+      }
+      map.submaps[submap_id] = {transform::Level(RandomPose(&random)), std::move(submap)};
+    }
+  }
+  if (nodes_per_trajectory > 0) {
+    map.constraints.push_back(
+        {{4, 0}, {1, 3}, RandomPose(&random), 10., 20., map::Constraint::Kind::kInterSubmap});
+  }
+  return map;
+}
+
+// The folder of stock Cartographer's maps, empty where they are not at hand.
+inline std::string StockMaps() {
+  const char* const data = std::getenv("SEMANTIC_KISS_DATA");
+  const char* const source = std::getenv("SEMANTIC_KISS_SOURCE_DIR");
+  const std::filesystem::path directory =
+      (data != nullptr
+           ? std::filesystem::path(data)
+           : std::filesystem::path(source != nullptr ? source : ".") / "../shared/data") /
+      "pbstream";
+  return std::filesystem::exists(directory) ? directory.string() : "";
+}
+
+}  // namespace cartographer::io
+
+#endif  // TEST_CARTOGRAPHER_IO_SMALL_MAP_H_

@@ -1,0 +1,110 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/io/map_reader.h"
+#include "cartographer/io/map_summary.h"
+#include "cartographer/io/map_writer.h"
+#include "test/cartographer/io/small_map.h"
+
+namespace cartographer::io {
+namespace {
+
+// Maps that stock Cartographer wrote.
+class StockMapsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (StockMaps().empty()) GTEST_SKIP() << "NO STOCK MAPS: set SEMANTIC_KISS_DATA to test them";
+  }
+
+  static std::string Path(const std::string& name) { return StockMaps() + "/" + name; }
+
+  TemporaryDirectory directory_;
+};
+
+int CountConstraints(const map::Map& map, map::Constraint::Kind kind) {
+  return static_cast<int>(
+      std::count_if(map.constraints.begin(), map.constraints.end(),
+                    [kind](const map::Constraint& constraint) { return constraint.kind == kind; }));
+}
+
+TEST_F(StockMapsTest, SixteenScansOfKitti) {
+  const absl::StatusOr<map::Map> map = ReadMap(Path("stock_kitti_16_scans.pbstream"));
+  ASSERT_TRUE(map.ok()) << map.status();
+  EXPECT_EQ(map->nodes.size(), 16u);
+  ASSERT_EQ(map->submaps.size(), 1u);
+  const submap::Submap& submap = *map->submaps.begin()->second.submap;
+  EXPECT_EQ(submap.grid.Labels(), std::vector<sensor::Label>{sensor::kUnlabeled});
+  EXPECT_TRUE(map->configuration_lua.empty());
+  for (const auto& [id, node] : map->nodes) EXPECT_GT(node.cloud->size(), 500u);
+  // 12 m ahead in 1.5 s.
+  EXPECT_NEAR((map->nodes.rbegin()->second.map_from_node.translation() -
+               map->nodes.begin()->second.map_from_node.translation())
+                  .norm(),
+              11.7, 0.3);
+}
+
+// What the clouds hit must be what the grid has: this ties frames, axes and the grid's origin.
+TEST_F(StockMapsTest, CloudsFallOntoOccupiedCells) {
+  const absl::StatusOr<map::Map> map = ReadMap(Path("stock_aces.pbstream"));
+  ASSERT_TRUE(map.ok()) << map.status();
+  int64_t num_points = 0, num_on_cells = 0;
+  for (const map::Constraint& constraint : map->constraints) {
+    if (constraint.kind != map::Constraint::Kind::kIntraSubmap) continue;
+    const submap::SemanticGrid& grid = map->submaps.at(constraint.submap_id).submap->grid;
+    for (const Eigen::Vector3f& point : map->nodes.at(constraint.node_id).cloud->positions) {
+      const Eigen::Vector3d in_submap = constraint.submap_from_node * point.cast<double>();
+      const auto cell = grid.CellOf(in_submap.head<2>().cast<float>());
+      bool hit = false;
+      for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy) {
+          hit |= grid.Hits(sensor::kUnlabeled, cell + submap::CellIndex(dx, dy)) > 0;
+        }
+      }
+      num_on_cells += hit;
+      ++num_points;
+    }
+  }
+  EXPECT_GT(num_points, 100000);
+  EXPECT_GT(static_cast<double>(num_on_cells) / num_points, 0.9);
+}
+
+TEST_F(StockMapsTest, Aces) {
+  const absl::StatusOr<map::Map> map = ReadMap(Path("stock_aces.pbstream"));
+  ASSERT_TRUE(map.ok()) << map.status();
+  EXPECT_EQ(map->nodes.size(), 2822u);
+  EXPECT_EQ(map->submaps.size(), 32u);
+  EXPECT_EQ(CountConstraints(*map, map::Constraint::Kind::kIntraSubmap), 5554);
+  EXPECT_EQ(CountConstraints(*map, map::Constraint::Kind::kInterSubmap), 674);
+}
+
+TEST_F(StockMapsTest, OnceReadTheyAreWrittenAlike) {
+  const absl::StatusOr<map::Map> map = ReadMap(Path("stock_kitti_16_scans.pbstream"));
+  ASSERT_TRUE(map.ok()) << map.status();
+  ASSERT_TRUE(WriteMap(*map, directory_.Path("first")).ok());
+  const absl::StatusOr<map::Map> again = ReadMap(directory_.Path("first"));
+  ASSERT_TRUE(again.ok()) << again.status();
+  ASSERT_TRUE(WriteMap(*again, directory_.Path("second")).ok());
+  EXPECT_EQ(FileContent(directory_.Path("second")), FileContent(directory_.Path("first")));
+}
+
+TEST_F(StockMapsTest, Summary) {
+  const absl::StatusOr<MapSummary> summary = ReadMapSummary(Path("stock_aces.pbstream"));
+  ASSERT_TRUE(summary.ok()) << summary.status();
+  EXPECT_EQ(summary->file_bytes, std::filesystem::file_size(Path("stock_aces.pbstream")));
+  EXPECT_FALSE(summary->made_by_us);
+  EXPECT_EQ(summary->num_intra_constraints, 5554);
+  EXPECT_EQ(summary->num_inter_constraints, 674);
+  ASSERT_EQ(summary->trajectories.size(), 1u);
+  EXPECT_EQ(summary->trajectories[0].num_nodes, 2822);
+  EXPECT_EQ(summary->trajectories[0].num_submaps, 32);
+  uint64_t stored = 8;  // the magic number
+  for (const MapSummary::Kind& kind : summary->kinds) stored += kind.stored_bytes;
+  EXPECT_EQ(stored, summary->file_bytes);
+  const auto imu = std::find_if(summary->kinds.begin(), summary->kinds.end(),
+                                [](const auto& kind) { return kind.name == "odometry_data"; });
+  ASSERT_NE(imu, summary->kinds.end());
+  EXPECT_EQ(imu->count, 7374);
+}
+
+}  // namespace
+}  // namespace cartographer::io
