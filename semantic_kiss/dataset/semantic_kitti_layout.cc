@@ -74,20 +74,25 @@ absl::StatusOr<std::string> NamedDirectory(const fs::path& base, const std::stri
       fs::path(name).is_absolute() ? "" : "; give an absolute path if it is elsewhere"));
 }
 
+// The same for what comes scan by scan: an absolute path may also be the root of results laid out
+// like the benchmark's.
+absl::StatusOr<std::string> ResultDirectory(const SemanticKittiLocation& location,
+                                            const fs::path& sequence, const std::string& name,
+                                            absl::string_view what) {
+  const fs::path result = fs::path(name) / "sequences" / location.sequence / "predictions";
+  if (result.is_absolute() && IsDirectory(result)) return result.string();
+  return NamedDirectory(sequence, name, what);
+}
+
 absl::Status FindLabels(const SemanticKittiLocation& location, const fs::path& sequence,
                         SemanticKittiLayout* layout) {
   if (location.labels_dir == kNoLabels) return absl::OkStatus();
   if (location.labels_dir.empty()) {
     layout->labels_dir = IfExists(sequence / "labels");
-  } else {
-    const fs::path result =
-        fs::path(location.labels_dir) / "sequences" / location.sequence / "predictions";
-    if (result.is_absolute() && IsDirectory(result)) {
-      layout->labels_dir = result.string();
-    } else {
-      ASSIGN_OR_RETURN(layout->labels_dir, NamedDirectory(sequence, location.labels_dir, "labels"));
-    }
+    return absl::OkStatus();
   }
+  ASSIGN_OR_RETURN(layout->labels_dir,
+                   ResultDirectory(location, sequence, location.labels_dir, "labels"));
   return absl::OkStatus();
 }
 
@@ -139,8 +144,9 @@ absl::StatusOr<SemanticKittiLayout> FindSemanticKittiFiles(const SemanticKittiLo
   RETURN_IF_ERROR(FindLabels(location, sequence, &layout));
   RETURN_IF_ERROR(FindConfidences(options, &layout));
   if (!options.moving_masks_dir().empty()) {
-    ASSIGN_OR_RETURN(layout.moving_masks_dir,
-                     NamedDirectory(sequence, options.moving_masks_dir(), "moving-object masks"));
+    ASSIGN_OR_RETURN(
+        layout.moving_masks_dir,
+        ResultDirectory(location, sequence, options.moving_masks_dir(), "moving-object masks"));
   }
   layout.point_times_dir = IfExists(sequence / "point_times");
   layout.times_file = IfExists(sequence / "times.txt");

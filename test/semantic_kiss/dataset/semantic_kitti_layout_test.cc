@@ -105,6 +105,14 @@ TEST_F(SemanticKittiLayoutTest, LabelsMayBeElsewhere) {
   EXPECT_EQ(Find(other.path()).confidences_dir, other / "sequences/07/confidences");
 }
 
+TEST_F(SemanticKittiLayoutTest, MasksMayBeElsewhere) {
+  const TemporaryDirectory other;
+  options_.set_moving_masks_dir(other.path());
+  EXPECT_EQ(Find().moving_masks_dir, other.path());
+  std::filesystem::create_directories(other / "sequences/07/predictions");
+  EXPECT_EQ(Find().moving_masks_dir, other / "sequences/07/predictions");
+}
+
 TEST_F(SemanticKittiLayoutTest, CertaintiesMayBeElsewhereOrSwitchedOff) {
   const TemporaryDirectory other;
   MakeDirectory("labels");
