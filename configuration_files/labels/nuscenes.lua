@@ -15,14 +15,8 @@
 --  * static.manmade is walls, poles and signs in one: sparing it from sub-sampling would spare
 --    nearly everything, so that no class is critical.
 
-local function class(id, name, color, roles)
-  return { id = id, name = name, color = color, roles = roles or {} }
-end
-
-local function merged(id, name, color, roles, target)
-  local merged_class = class(id, name, color, roles)
-  merged_class.merged_into = target
-  return merged_class
+local function class(id, name, color, roles, merged_into)
+  return { id = id, name = name, color = color, roles = roles or {}, merged_into = merged_into }
 end
 
 local UNLABELED = { "unlabeled" }
@@ -40,12 +34,12 @@ return {
     class(0, "noise", { 175, 175, 175 }, UNLABELED),
     class(1, "animal", { 190, 120, 150 }, MOVING),
     class(2, "human.pedestrian.adult", { 255, 60, 110 }, MOVING),
-    merged(3, "human.pedestrian.child", { 255, 90, 140 }, MOVING, "human.pedestrian.adult"),
-    merged(4, "human.pedestrian.construction_worker", { 230, 60, 140 }, MOVING,
-           "human.pedestrian.adult"),
+    class(3, "human.pedestrian.child", { 255, 90, 140 }, MOVING, "human.pedestrian.adult"),
+    class(4, "human.pedestrian.construction_worker", { 230, 60, 140 }, MOVING,
+          "human.pedestrian.adult"),
     class(5, "human.pedestrian.personal_mobility", { 200, 60, 170 }, MOVING),
-    merged(6, "human.pedestrian.police_officer", { 200, 30, 110 }, MOVING,
-           "human.pedestrian.adult"),
+    class(6, "human.pedestrian.police_officer", { 200, 30, 110 }, MOVING,
+          "human.pedestrian.adult"),
     class(7, "human.pedestrian.stroller", { 230, 100, 190 }, MOVING),
     class(8, "human.pedestrian.wheelchair", { 180, 50, 130 }, MOVING),
     class(9, "movable_object.barrier", { 240, 110, 50 }, MOVABLE),
@@ -54,7 +48,7 @@ return {
     class(12, "movable_object.trafficcone", { 255, 80, 0 }, MOVABLE),
     class(13, "static_object.bicycle_rack", { 100, 130, 140 }),
     class(14, "vehicle.bicycle", { 70, 190, 225 }, MOVABLE),
-    merged(15, "vehicle.bus.bendy", { 40, 100, 200 }, MOVABLE, "vehicle.bus.rigid"),
+    class(15, "vehicle.bus.bendy", { 40, 100, 200 }, MOVABLE, "vehicle.bus.rigid"),
     class(16, "vehicle.bus.rigid", { 20, 70, 180 }, MOVABLE),
     class(17, "vehicle.car", { 60, 120, 240 }, MOVABLE),
     class(18, "vehicle.construction", { 120, 100, 220 }, MOVABLE),

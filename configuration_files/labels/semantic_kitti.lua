@@ -18,14 +18,8 @@
 -- Colours are for a light background: the hues of the usual palette, with its lightest ones (pole,
 -- terrain, road) made darker and what matters most in a map kept far apart.
 
-local function class(id, name, color, roles)
-  return { id = id, name = name, color = color, roles = roles or {} }
-end
-
-local function merged(id, name, color, roles, target)
-  local merged_class = class(id, name, color, roles)
-  merged_class.merged_into = target
-  return merged_class
+local function class(id, name, color, roles, merged_into)
+  return { id = id, name = name, color = color, roles = roles or {}, merged_into = merged_into }
 end
 
 local UNLABELED = { "unlabeled" }
@@ -53,9 +47,9 @@ return {
 
     class(10, "car", { 60, 120, 240 }, MOVABLE),
     class(11, "bicycle", { 70, 190, 225 }, MOVABLE),
-    merged(13, "bus", { 70, 80, 250 }, MOVABLE, "other-vehicle"),
+    class(13, "bus", { 70, 80, 250 }, MOVABLE, "other-vehicle"),
     class(15, "motorcycle", { 30, 60, 150 }, MOVABLE),
-    merged(16, "on-rails", { 0, 0, 200 }, MOVABLE, "other-vehicle"),
+    class(16, "on-rails", { 0, 0, 200 }, MOVABLE, "other-vehicle"),
     class(18, "truck", { 85, 40, 190 }, MOVABLE),
     class(20, "other-vehicle", { 20, 20, 255 }, MOVABLE),
     class(30, "person", { 255, 60, 110 }, MOVABLE),
@@ -69,7 +63,7 @@ return {
     class(50, "building", { 235, 165, 20 }),
     class(51, "fence", { 240, 110, 50 }),
     class(52, "other-structure", { 215, 185, 150 }, UNLABELED),
-    merged(60, "lane-marking", { 120, 215, 150 }, GROUND, "road"),
+    class(60, "lane-marking", { 120, 215, 150 }, GROUND, "road"),
     class(70, "vegetation", { 50, 160, 60 }),
     class(71, "trunk", { 125, 60, 10 }),
     class(72, "terrain", { 150, 205, 90 }, GROUND),
@@ -83,8 +77,8 @@ return {
     class(253, "moving-bicyclist", { 255, 40, 200 }, MOVING),
     class(254, "moving-person", { 255, 60, 110 }, MOVING),
     class(255, "moving-motorcyclist", { 150, 30, 90 }, MOVING),
-    merged(256, "moving-on-rails", { 0, 0, 200 }, MOVING, "moving-other-vehicle"),
-    merged(257, "moving-bus", { 70, 80, 250 }, MOVING, "moving-other-vehicle"),
+    class(256, "moving-on-rails", { 0, 0, 200 }, MOVING, "moving-other-vehicle"),
+    class(257, "moving-bus", { 70, 80, 250 }, MOVING, "moving-other-vehicle"),
     class(258, "moving-truck", { 85, 40, 190 }, MOVING),
     class(259, "moving-other-vehicle", { 20, 20, 255 }, MOVING),
   },

@@ -23,11 +23,7 @@ using Directories = std::vector<std::string>;
 absl::StatusOr<LabelSet> LoadLabelSet(const std::string& name, const Directories& directories) {
   ASSIGN_OR_RETURN(const std::string path, cartographer::common::FindLuaFile(
                                                absl::StrCat("labels/", name, ".lua"), directories));
-  cartographer::sensor::proto::LabelSet declaration;
-  RETURN_IF_ERROR(cartographer::common::LoadOptions({path, directories}, &declaration));
-  absl::StatusOr<LabelSet> labels = LabelSet::Create(declaration);
-  if (!labels.ok()) return AddContext(labels.status(), path);
-  return labels;
+  return LabelSet::Load({path, directories});
 }
 
 // The path of a configuration file that exists.

@@ -19,66 +19,65 @@ namespace {
 
 using ::testing::StartsWith;
 
-// Over budget: a declaration, not logic.
+constexpr char kDeclaration[] = R"pb(
+  name: "test"
+  default_certainty: 0.9
+  classes {
+    id: 40
+    name: "road"
+    color: [ 1, 2, 3 ]
+    roles: "ground"
+  }
+  classes {
+    id: 60
+    name: "lane"
+    color: [ 4, 5, 6 ]
+    roles: "ground"
+    merged_into: "road"
+  }
+  classes {
+    id: 7
+    name: "void"
+    color: [ 7, 8, 9 ]
+    roles: "unlabeled"
+  }
+  classes {
+    id: 10
+    name: "car"
+    color: [ 0, 0, 255 ]
+    roles: "movable"
+    certainty: 0.5
+  }
+  classes {
+    id: 252
+    name: "moving-car"
+    color: [ 0, 0, 1 ]
+    roles: "moving"
+    roles: "movable"
+  }
+  classes {
+    id: 0
+    name: "unknown"
+    color: [ 0, 0, 0 ]
+    roles: "unlabeled"
+  }
+  classes {
+    id: 65535
+    name: "pole"
+    color: [ 9, 9, 9 ]
+    roles: "critical"
+  }
+  classes {
+    id: 1
+    name: "noise"
+    color: [ 9, 9, 9 ]
+    merged_into: "unknown"
+  }
+)pb";
+
 proto::LabelSet Declaration() {
   proto::LabelSet declaration;
-  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
-      R"pb(
-        name: "test"
-        default_certainty: 0.9
-        classes {
-          id: 40
-          name: "road"
-          color: [ 1, 2, 3 ]
-          roles: "ground"
-        }
-        classes {
-          id: 60
-          name: "lane"
-          color: [ 4, 5, 6 ]
-          roles: "ground"
-          merged_into: "road"
-        }
-        classes {
-          id: 7
-          name: "void"
-          color: [ 7, 8, 9 ]
-          roles: "unlabeled"
-        }
-        classes {
-          id: 10
-          name: "car"
-          color: [ 0, 0, 255 ]
-          roles: "movable"
-          certainty: 0.5
-        }
-        classes {
-          id: 252
-          name: "moving-car"
-          color: [ 0, 0, 1 ]
-          roles: "moving"
-          roles: "movable"
-        }
-        classes {
-          id: 0
-          name: "unknown"
-          color: [ 0, 0, 0 ]
-          roles: "unlabeled"
-        }
-        classes {
-          id: 65535
-          name: "pole"
-          color: [ 9, 9, 9 ]
-          roles: "critical"
-        }
-        classes {
-          id: 1
-          name: "noise"
-          color: [ 9, 9, 9 ]
-          merged_into: "unknown"
-        }
-      )pb",
-      &declaration));
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(kDeclaration, &declaration));
   return declaration;
 }
 
