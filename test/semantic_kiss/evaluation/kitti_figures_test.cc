@@ -8,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <iterator>
+#include <optional>
 #include <string>
 
 #include "absl/strings/str_format.h"
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/evaluation/evaluation.h"
+#include "test/testing/test_files.h"
 
 namespace semantic_kiss::evaluation {
 namespace {
@@ -33,19 +34,11 @@ constexpr Figures kExpected[] = {{0.6667, 0.00345, 4.858, 3.332}, {0.7749, 0.001
                                  {0.6454, 0.00356, 1.027, 0.585}};
 constexpr double kMeanRte_percent = 0.574, kMeanAte3d_m = 1.986, kMeanAte2d_m = 1.295;
 
-std::filesystem::path KittiDirectory() {
-  if (const char* const data = std::getenv("SEMANTIC_KISS_DATA")) {
-    return std::filesystem::path(data) / "kitti_odometry";
-  }
-  const char* const source = std::getenv("SEMANTIC_KISS_SOURCE_DIR");
-  return std::filesystem::path(source ? source : ".") / "../shared/data/kitti_odometry";
-}
-
-Metrics MetricsOfSequence(const std::filesystem::path& directory, int sequence) {
+Metrics MetricsOfSequence(const std::string& directory, int sequence) {
   const std::string file = absl::StrFormat("%02d.txt", sequence);
-  const auto truth = cartographer::io::ReadKittiPoses((directory / "poses" / file).string());
+  const auto truth = cartographer::io::ReadKittiPoses(directory + "/poses/" + file);
   const auto estimate =
-      cartographer::io::ReadKittiPoses((directory / "estimates/simple_online" / file).string());
+      cartographer::io::ReadKittiPoses(directory + "/estimates/simple_online/" + file);
   if (!truth.ok() || !estimate.ok()) {
     ADD_FAILURE() << truth.status() << estimate.status();
     return {};
@@ -64,15 +57,12 @@ void ExpectRounded(const std::optional<double>& figure, double expected, int dec
 }
 
 TEST(KittiFiguresTest, AllSequencesToTheLastDigit) {
-  const std::filesystem::path directory = KittiDirectory();
-  if (!std::filesystem::exists(directory)) {
-    GTEST_SKIP() << "KITTI'S FIGURES ARE NOT CHECKED: no data in " << directory
-                 << "; set SEMANTIC_KISS_DATA to the directory that holds kitti_odometry/";
-  }
+  const std::optional<std::string> data = semantic_kiss_testing::RealDataDirectory();
+  if (!data) GTEST_SKIP() << "KITTI's figures are not checked: there is no real data";
   Figures sum{};
   for (size_t sequence = 0; sequence < std::size(kExpected); ++sequence) {
     SCOPED_TRACE(absl::StrFormat("sequence %02d", sequence));
-    const Metrics metrics = MetricsOfSequence(directory, sequence);
+    const Metrics metrics = MetricsOfSequence(*data + "/kitti_odometry", sequence);
     const Figures& expected = kExpected[sequence];
     ExpectRounded(metrics.rte_percent, expected.rte_percent, 4);
     ExpectRounded(metrics.rte_deg_per_m, expected.rte_deg_per_m, 5);
