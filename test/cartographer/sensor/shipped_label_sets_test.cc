@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -18,6 +19,7 @@
 namespace cartographer::sensor {
 namespace {
 
+using ::testing::StartsWith;
 using ::testing::UnorderedElementsAre;
 
 std::string SourcePath(const std::string& path) {
@@ -164,12 +166,40 @@ TEST(SemanticKittiLabelsTest, SurviveTheRoundTripThroughLua) {
   EXPECT_EQ(read_back.SerializeAsString(), set.declaration().SerializeAsString());
 }
 
-// The first block between ```lua and ``` of a Markdown file.
-std::string FirstLuaBlock(const std::string& path) {
+std::string ReadFile(const std::string& path) {
   std::ifstream stream(path);
   std::ostringstream content;
   content << stream.rdbuf();
-  const std::string text = content.str();
+  return content.str();
+}
+
+TEST(SemanticKittiLabelsTest, GiveAnErrorOrASetWhenDamaged) {
+  constexpr unsigned kSeed = 11;
+  SCOPED_TRACE(kSeed);
+  std::mt19937 random(kSeed);
+  const std::string lua = ReadFile(SourcePath("configuration_files/labels/semantic_kitti.lua"));
+  int num_errors = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::string damaged = lua.substr(0, i % 2 == 0 ? lua.size() : random() % lua.size());
+    for (int k = 0; k < 3 && !damaged.empty(); ++k) {
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    }
+    proto::LabelSet declaration;
+    absl::Status status = common::LoadOptionsFromString(damaged, "damaged", {}, &declaration);
+    if (!status.ok()) {
+      EXPECT_THAT(std::string(status.message()), StartsWith("damaged:"));
+    } else {
+      status = LabelSet::Create(declaration).status();
+    }
+    EXPECT_EQ(status.message().find('\n'), absl::string_view::npos) << status;
+    num_errors += !status.ok();
+  }
+  EXPECT_GT(num_errors, 250);  // the others damaged a comment or a colour
+}
+
+// The first block between ```lua and ``` of a Markdown file.
+std::string FirstLuaBlock(const std::string& path) {
+  const std::string text = ReadFile(path);
   const std::string opening = "```lua\n";
   const size_t begin = text.find(opening);
   if (begin == std::string::npos) return "";
