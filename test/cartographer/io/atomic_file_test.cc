@@ -138,5 +138,19 @@ TEST_F(AtomicFileTest, FailedWriteKeepsTheOldFileAndRemovesTheTemporary) {
   EXPECT_EQ(NumFiles(), 1);
 }
 
+// As a process does that is told to end at once; it runs in a child here.
+TEST_F(AtomicFileTest, AbandoningRemovesAllTemporaryFilesAndNoOthers) {
+  ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());
+  EXPECT_EXIT(
+      {
+        auto first = AtomicFile::Create(Path("a"));
+        auto second = AtomicFile::Create(Path("b"));
+        if (!first->Write(std::string(1 << 20, 'x')).ok() || NumFiles() != 3) ::_exit(1);
+        AbandonAtomicFiles();
+        ::_exit(NumFiles() == 1 && Content(Path("a")) == "old" ? 0 : 2);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
 }  // namespace cartographer::io
