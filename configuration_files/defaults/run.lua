@@ -4,6 +4,7 @@
 -- Everything that a run needs, from which the systems' files (../*.lua) change a few keys.
 
 include "defaults/dataset.lua"
+include "defaults/map_image.lua"
 include "defaults/semantic_kiss_builder.lua"
 
 RUN = {
@@ -13,4 +14,5 @@ RUN = {
     name = "semantic_kiss",
     semantic_kiss = SEMANTIC_KISS_BUILDER,
   },
+  map_image = MAP_IMAGE,
 }

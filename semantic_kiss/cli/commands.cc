@@ -7,9 +7,7 @@ namespace semantic_kiss::cli {
 
 const std::vector<Command>& Commands() {
   static const auto& commands = *new std::vector<Command>{
-      RunCommand(),
-      EvaluateCommand(),
-      ConfigCommand(),
+      RunCommand(), EvaluateCommand(), InfoCommand(), RenderCommand(), ConfigCommand(),
   };
   return commands;
 }

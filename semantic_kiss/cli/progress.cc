@@ -98,7 +98,14 @@ void ProgressReporter::Update(int done, std::optional<double> error_m) {
 
 void ProgressReporter::Finish() {
   Print();
-  if (mode_ == Mode::kBar) *out_ << std::endl;
+  EndBar();
+}
+
+ProgressReporter::~ProgressReporter() { EndBar(); }
+
+void ProgressReporter::EndBar() {
+  if (bar_is_open_) *out_ << std::endl;
+  bar_is_open_ = false;
 }
 
 void ProgressReporter::Print() {
@@ -111,6 +118,7 @@ void ProgressReporter::Print() {
     case Mode::kBar:
       // "\033[K" clears what a longer line left behind.
       *out_ << "\r" << ProgressBar(progress_, terminal_.width) << "\033[K" << std::flush;
+      bar_is_open_ = true;
       break;
   }
 }

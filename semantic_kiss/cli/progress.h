@@ -43,6 +43,11 @@ class ProgressReporter {
   ProgressReporter(Mode mode, const Terminal& terminal, int total, std::function<double()> now_s,
                    std::ostream* out);
 
+  ProgressReporter(const ProgressReporter&) = delete;
+  ProgressReporter& operator=(const ProgressReporter&) = delete;
+  // Ends the line of a bar if Finish() did not, so that an error begins a line of its own.
+  ~ProgressReporter();
+
   // To be called after every scan; prints only when enough time went by since the last time.
   void Update(int done, std::optional<double> error_m);
 
@@ -51,6 +56,7 @@ class ProgressReporter {
 
  private:
   void Print();
+  void EndBar();
 
   const Mode mode_;
   const Terminal terminal_;
@@ -58,6 +64,7 @@ class ProgressReporter {
   std::ostream* const out_;
   const double started_s_;
   double printed_s_;
+  bool bar_is_open_ = false;
   Progress progress_;
 };
 

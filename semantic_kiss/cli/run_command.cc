@@ -85,7 +85,7 @@ absl::Status RunRun() {
 
   ASSIGN_OR_RETURN(RunResult result,
                    Conclude(configuration, std::move(drive), *scans, map_builder.get()));
-  RETURN_IF_ERROR(WriteRunFiles(directory, &result));
+  RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options.map_image(), &result));
   if (!FLAGS_quiet) {
     std::cout << RunSummary(result, directory.path(), Terminal::Of(STDOUT_FILENO));
   }

@@ -7,7 +7,10 @@
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
+#include "cartographer/common/stopwatch.h"
 #include "cartographer/io/atomic_file.h"
+#include "cartographer/io/map_image.h"
+#include "cartographer/io/map_writer.h"
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/cli/run_json.h"
 #include "semantic_kiss/cli/run_report.h"
@@ -27,12 +30,22 @@ absl::Status WriteTrajectories(const OutputDirectory& directory, const RunResult
 
 }  // namespace
 
-absl::Status WriteRunFiles(const OutputDirectory& directory, RunResult* result) {
+absl::Status WriteRunFiles(const OutputDirectory& directory,
+                           const io::proto::RenderOptions& map_image, RunResult* result) {
+  StageTimes& times = result->drive.stage_times;
   RETURN_IF_ERROR(WriteTrajectories(directory, *result));
+
+  cartographer::common::Stopwatch stopwatch;
+  RETURN_IF_ERROR(io::WriteMap(result->map, directory.FileNamed("map.pbstream")));
+  times.Add("map_file", stopwatch.Lap());
+
+  ASSIGN_OR_RETURN(const std::string image, io::RenderMapImage(result->map, map_image));
+  RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
+  times.Add("map_image", stopwatch.Lap());
 
   const std::string json = absl::StrCat(RunJson(*result).dump(2), "\n");
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
-  return io::WriteFileAtomically(directory.FileNamed("report.html"), RunReport(*result, ""));
+  return io::WriteFileAtomically(directory.FileNamed("report.html"), RunReport(*result, image));
 }
 
 }  // namespace semantic_kiss::cli

@@ -5,6 +5,7 @@
 #define SEMANTIC_KISS_CLI_RUN_FILES_H_
 
 #include "absl/status/status.h"
+#include "cartographer/io/proto/render_options.pb.h"
 #include "semantic_kiss/cli/output_directory.h"
 #include "semantic_kiss/cli/run_result.h"
 
@@ -15,7 +16,9 @@ namespace semantic_kiss::cli {
 // map.png, run.json and report.html. Of these the last two alone tell times; all others are the
 // same bytes whenever, and on however many threads, the run is repeated. How long writing took is
 // added to `result`.
-absl::Status WriteRunFiles(const OutputDirectory& directory, RunResult* result);
+absl::Status WriteRunFiles(const OutputDirectory& directory,
+                           const cartographer::io::proto::RenderOptions& map_image,
+                           RunResult* result);
 
 }  // namespace semantic_kiss::cli
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "semantic_kiss/cli/peak_memory.h"
 #include "semantic_kiss/cli/version.h"
 
 namespace semantic_kiss::cli {
@@ -46,7 +47,7 @@ Json RunJson(const RunResult& result) {
   json["stages"] = Stages(drive.stage_times);
   json["scans_per_second"] =
       drive.elapsed_s > 0. ? Json(drive.num_scans / drive.elapsed_s) : Json();
-  json["peak_memory_mib"] = result.peak_memory_mib;
+  json["peak_memory_mib"] = PeakMemory_mib();
   json["odometry_outcomes"] = drive.outcomes;
   json["unknown_label_ids"] = UnknownLabelIds(result.unknown_label_ids);
   json["map"] = {{"nodes", result.map.nodes.size()},

@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
+#include "semantic_kiss/cli/peak_memory.h"
 #include "semantic_kiss/cli/version.h"
 #include "semantic_kiss/report/html_report.h"
 
@@ -48,7 +49,7 @@ Table AboutTheRun(const RunResult& result) {
       {"points", absl::StrCat(result.drive.num_points)},
       {"odometry", Outcomes(result.drive)},
       {"speed", absl::StrFormat("%.1f scans/s", ScansPerSecond(result.drive))},
-      {"peak memory", absl::StrFormat("%.0f MiB", result.peak_memory_mib)},
+      {"peak memory", absl::StrFormat("%.0f MiB", PeakMemory_mib())},
       {"map", absl::StrFormat("%d nodes, %d submaps, %d constraints", result.map.nodes.size(),
                               result.map.submaps.size(), result.map.constraints.size())},
   };
@@ -122,7 +123,7 @@ std::string RunSummary(const RunResult& result, const std::string& directory,
       "scans",
       absl::StrFormat("%s, %.1f a second, peak memory %.0f MiB",
                       Styled(terminal, complete ? Style::kGreen : Style::kYellow, Scans(result)),
-                      ScansPerSecond(result.drive), result.peak_memory_mib));
+                      ScansPerSecond(result.drive), PeakMemory_mib()));
   summary += line("odometry", Outcomes(result.drive));
   summary += line("map", absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(),
                                          result.map.submaps.size()));

@@ -3,8 +3,6 @@
 
 #include "semantic_kiss/cli/run_result.h"
 
-#include <sys/resource.h>
-
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -19,12 +17,6 @@ namespace {
 using cartographer::transform::Rigid3d;
 using evaluation::VehicleFrame;
 using Poses = std::vector<Rigid3d>;
-
-double PeakMemory_mib() {
-  rusage usage{};
-  CHECK_EQ(getrusage(RUSAGE_SELF, &usage), 0);
-  return static_cast<double>(usage.ru_maxrss) / 1024.;  // Linux counts KiB
-}
 
 Poses AsInFiles(const Poses& lidar_poses, const std::optional<Rigid3d>& camera_from_sensor) {
   if (!camera_from_sensor.has_value()) return lidar_poses;
@@ -68,7 +60,6 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
   if (scans.ground_truth().has_value()) {
     ASSIGN_OR_RETURN(result.evaluation, EvaluateRun(scans, result.trajectory));
   }
-  result.peak_memory_mib = PeakMemory_mib();
   return result;
 }
 

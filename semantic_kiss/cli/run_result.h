@@ -33,7 +33,6 @@ struct RunResult {
   std::vector<cartographer::transform::Rigid3d> map_from_lidar;
   cartographer::map::Map map;
   std::optional<evaluation::Evaluation> evaluation;  // where there is ground truth
-  double peak_memory_mib = 0.;                       // of the process so far
 };
 
 // Ends the drive and gathers what is to be told of it, at least one scan (CHECKed). Fails if the

@@ -41,6 +41,7 @@ TEST(CommandsTest, EveryCommandIsCompleteAndUsesFlagsThatExist) {
     EXPECT_NE(command.run, nullptr) << command.name;
     for (const FlagUse& use : command.flags) used.insert(FlagNamed(use.name).name);
   }
+  for (const FlagInfo& flag : Flags()) EXPECT_TRUE(used.count(flag.name)) << flag.name;
 }
 
 TEST(HelpTest, OverviewListsEveryCommand) {

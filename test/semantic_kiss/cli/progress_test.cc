@@ -89,5 +89,14 @@ TEST_F(ProgressReporterTest, ABarOverwritesItselfAndEndsItsLine) {
   EXPECT_EQ(out_.str().back(), '\n');
 }
 
+TEST_F(ProgressReporterTest, ABarThatIsCutShortEndsItsLine) {
+  {
+    ProgressReporter reporter = Reporter(ProgressReporter::Mode::kBar);
+    now_s_ = 1.;
+    reporter.Update(10, std::nullopt);
+  }
+  EXPECT_EQ(out_.str().back(), '\n');
+}
+
 }  // namespace
 }  // namespace semantic_kiss::cli
