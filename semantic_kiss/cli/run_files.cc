@@ -33,16 +33,14 @@ absl::Status WriteTrajectories(const OutputDirectory& directory, const RunResult
 absl::Status WriteRunFiles(const OutputDirectory& directory,
                            const io::proto::RenderOptions& map_image, RunResult* result) {
   StageTimes& times = result->drive.stage_times;
-  RETURN_IF_ERROR(WriteTrajectories(directory, *result));
-
   cartographer::common::Stopwatch stopwatch;
+  // First, because a drive without anything to draw is to leave no files at all.
+  ASSIGN_OR_RETURN(const std::string image, io::RenderMapImage(result->map, map_image));
+  times.Add("map_image", stopwatch.Lap());
   RETURN_IF_ERROR(io::WriteMap(result->map, directory.FileNamed("map.pbstream")));
   times.Add("map_file", stopwatch.Lap());
-
-  ASSIGN_OR_RETURN(const std::string image, io::RenderMapImage(result->map, map_image));
+  RETURN_IF_ERROR(WriteTrajectories(directory, *result));
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
-  times.Add("map_image", stopwatch.Lap());
-
   const std::string json = absl::StrCat(RunJson(*result).dump(2), "\n");
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
   return io::WriteFileAtomically(directory.FileNamed("report.html"), RunReport(*result, image));

@@ -3,6 +3,7 @@
 
 #include "semantic_kiss/cli/run_report.h"
 
+#include <limits>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -98,6 +99,15 @@ std::string AccuracyLine(const evaluation::Evaluation& evaluation) {
       absl::StrFormat(", last pose off by %.3f m", evaluation.final_error.position_error_m));
 }
 
+std::string SummaryLine(const Terminal& terminal, Style style, absl::string_view heading,
+                        const std::string& text) {
+  constexpr int kColumn = 10;
+  // Broken for people alone: scripts look for whole lines.
+  const int width = terminal.interactive ? terminal.width : std::numeric_limits<int>::max();
+  return absl::StrCat(Styled(terminal, style, heading),
+                      Wrapped(text, kColumn, width).substr(heading.size()), "\n");
+}
+
 }  // namespace
 
 std::string RunReport(const RunResult& result, absl::string_view map_image) {
@@ -115,24 +125,21 @@ std::string RunReport(const RunResult& result, absl::string_view map_image) {
 std::string RunSummary(const RunResult& result, const std::string& directory,
                        const Terminal& terminal) {
   const bool complete = result.drive.num_scans == result.scans_available;
-  const auto line = [&](const char* heading, const std::string& text) {
-    return absl::StrCat(Styled(terminal, Style::kBold, absl::StrFormat("%-9s", heading)), " ", text,
-                        "\n");
+  std::string summary =
+      SummaryLine(terminal, complete ? Style::kGreen : Style::kYellow, "scans",
+                  absl::StrFormat("%s, %.1f a second, peak memory %.0f MiB", Scans(result),
+                                  ScansPerSecond(result.drive), PeakMemory_mib()));
+  const auto add = [&](absl::string_view heading, const std::string& text) {
+    summary += SummaryLine(terminal, Style::kBold, heading, text);
   };
-  std::string summary = line(
-      "scans",
-      absl::StrFormat("%s, %.1f a second, peak memory %.0f MiB",
-                      Styled(terminal, complete ? Style::kGreen : Style::kYellow, Scans(result)),
-                      ScansPerSecond(result.drive), PeakMemory_mib()));
-  summary += line("odometry", Outcomes(result.drive));
-  summary += line("map", absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(),
-                                         result.map.submaps.size()));
-  if (result.evaluation.has_value()) summary += line("accuracy", AccuracyLine(*result.evaluation));
-  if (!result.unknown_label_ids.empty()) {
-    summary += line("unlabeled", UnknownLabels(result.unknown_label_ids));
-  }
-  for (const std::string& note : result.notes) summary += line("note", note);
-  return summary + line("output", directory);
+  add("odometry", Outcomes(result.drive));
+  add("map",
+      absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(), result.map.submaps.size()));
+  if (result.evaluation.has_value()) add("accuracy", AccuracyLine(*result.evaluation));
+  if (!result.unknown_label_ids.empty()) add("unlabeled", UnknownLabels(result.unknown_label_ids));
+  for (const std::string& note : result.notes) add("note", note);
+  // As it is: a path may hold blanks.
+  return absl::StrCat(summary, Styled(terminal, Style::kBold, "output"), "    ", directory, "\n");
 }
 
 }  // namespace semantic_kiss::cli

@@ -98,6 +98,13 @@ class MalformedScanTest(BadInputTest):
         self.assert_rejected(["confidences/000000.conf"])
 
 
+    def test_not_one_point_in_all_scans(self):
+        for index in range(6):
+            self.sequence.write(f"velodyne/{index:06d}.bin", b"")
+            self.sequence.write(f"labels/{index:06d}.label", b"")
+        self.assert_rejected(["nothing to draw"], "--quiet")
+
+
 class MalformedTextTest(BadInputTest):
 
     def test_times_do_not_increase(self):
