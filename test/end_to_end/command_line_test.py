@@ -4,6 +4,7 @@
 """The command line itself: help, version, usage errors."""
 
 import os
+import shutil
 import subprocess
 
 from program import BINARY, ProgramTest, main
@@ -71,8 +72,21 @@ class ConfigTest(ProgramTest):
         self.assertIn("vertical_correction_deg = 0,", self.succeed("config", "--config", path))
         # By its bare name as well, from the directory where it is.
         self.assertIn("vertical_correction_deg = 0,",
-                      self.succeed("config", "--config=mine.lua", cwd=self.directory)
-                      if os.path.isabs(BINARY) else "vertical_correction_deg = 0,")
+                      self.succeed("config", "--config=mine.lua", cwd=self.directory))
+
+    def test_the_programs_own_files_stand_beside_its_folder(self):
+        os.mkdir(self.path("bin"))
+        program = shutil.copy(BINARY, self.path("bin"))
+        result = subprocess.run([program, "config"], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, cwd=self.directory)
+        self.assertEqual(result.returncode, 1)
+        self.assert_one_line(result.stderr, "error: ")
+        self.assertIn(self.path("share/semantic_kiss/configuration_files"), result.stderr)
+        source = os.environ.get("SEMANTIC_KISS_SOURCE_DIR", ".")
+        shutil.copytree(os.path.join(source, "configuration_files"),
+                        self.path("share", "semantic_kiss", "configuration_files"))
+        self.assertEqual(subprocess.check_output([program, "config"], text=True,
+                                                 cwd=self.directory), self.succeed("config"))
 
     def test_a_label_set_of_ones_own_lies_beside_the_file(self):
         os.mkdir(self.path("labels"))

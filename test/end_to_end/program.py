@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-BINARY = os.environ.get("SEMANTIC_KISS_BINARY", "build/bin/semantic_kiss")
+BINARY = os.path.abspath(os.environ.get("SEMANTIC_KISS_BINARY", "build/bin/semantic_kiss"))
 
 # What `run` writes; the last two tell times, the others are the same in every run.
 REPEATABLE_FILES = ["map.png", "map.pbstream", "odometry_kitti.txt", "trajectory_kitti.txt",
