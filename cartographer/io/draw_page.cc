@@ -34,7 +34,7 @@ struct Layout {
 Layout PlainLayout(const RasterFrame& frame) {
   Layout layout;
   layout.em = std::clamp(std::max(frame.width, frame.height) / 70., 11., 80.);
-  layout.map = {frame, 0, 0, std::max(1.5, 0.14 * layout.em)};
+  layout.map = {frame, 0, 0, std::max(1.5, 0.11 * layout.em)};
   layout.width = frame.width;
   layout.height = frame.height;
   return layout;
@@ -51,7 +51,10 @@ Layout FramedLayout(const RasterFrame& frame, bool has_title, const LegendSize& 
   layout.legend_y = layout.map.y;
   const double content = std::max<double>(frame.height, legend.height_px);
   layout.bar_y = layout.map.y + content + 2.9 * em;
-  layout.width = static_cast<int>(std::ceil(layout.legend_x + legend.width_px + 1.2 * em));
+  // What stands below the map needs as much, however small the map is.
+  constexpr double kSmallestWidth = 27.;
+  layout.width = static_cast<int>(
+      std::ceil(std::max(layout.legend_x + legend.width_px + 1.2 * em, kSmallestWidth * em)));
   layout.height = static_cast<int>(std::ceil(layout.bar_y + 1.1 * em));
   return layout;
 }
@@ -107,11 +110,25 @@ std::vector<LegendEntry> EntriesOf(const map::Map& map, const proto::RenderOptio
   return entries;
 }
 
-// Shrinks the letters until the text fits.
-void DrawFitting(const std::string& text, double x, double y, TextStyle style, Canvas* canvas) {
+// Without the last character, were it of several bytes.
+void RemoveLastCharacter(std::string* text) {
+  const auto is_continued = [](char byte) { return (static_cast<uint8_t>(byte) & 0xc0) == 0x80; };
+  while (!text->empty() && is_continued(text->back())) text->pop_back();
+  if (!text->empty()) text->pop_back();
+}
+
+// Makes the letters smaller, then cuts the text, until it fits between x and the same at the right.
+void DrawFitting(std::string text, double x, double y, TextStyle style, Canvas* canvas) {
+  constexpr double kSmallest = 0.6;
   const double room = canvas->width() - 2. * x;
   const double width = canvas->TextWidth(text, style);
-  if (width > room) style.size_px *= room / width;
+  if (width > room) style.size_px *= std::max(kSmallest, room / width);
+  if (kSmallest * width > room) {
+    while (!text.empty() && canvas->TextWidth(text + "...", style) > room) {
+      RemoveLastCharacter(&text);
+    }
+    text += "...";
+  }
   canvas->DrawText(text, x, y, style);
 }
 

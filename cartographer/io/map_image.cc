@@ -33,7 +33,7 @@ absl::StatusOr<sensor::LabelMask> MaskOf(const sensor::LabelSet& labels,
 absl::StatusOr<std::string> RenderMapImage(const map::Map& map,
                                            const proto::RenderOptions& options) {
   absl::StatusOr<sensor::LabelMask> hidden = MaskOf(map.labels, options);
-  if (!hidden.ok()) return common::AddContext(hidden.status(), "render.hide");
+  if (!hidden.ok()) return common::AddContext(hidden.status(), "hide");
   ASSIGN_OR_RETURN(
       const RasterFrame frame,
       FrameOf(map, *hidden, {options.resolution_m(), options.max_side_px(), options.crop_share()}));

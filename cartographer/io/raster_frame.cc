@@ -115,7 +115,7 @@ absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask
   Interval y = InnerRange(centers.y, options.crop_share);
   x.Add(x.min, centers.half_diagonal_m), x.Add(x.max, centers.half_diagonal_m);
   y.Add(y.min, centers.half_diagonal_m), y.Add(y.max, centers.half_diagonal_m);
-  constexpr double kPathMargin_m = 5.;
+  constexpr double kPathMargin_m = 20.;
   for (const auto& [id, node] : map.nodes) {
     if (!node.map_from_node.IsFinite()) continue;
     x.Add(node.map_from_node.translation().x(), kPathMargin_m);

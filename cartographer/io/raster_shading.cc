@@ -15,7 +15,7 @@ namespace cartographer::io {
 namespace {
 
 // Share of the label's own colour in the mix with the background.
-constexpr float kGroundStrength = 0.6f;
+constexpr float kGroundStrength = 0.75f;
 constexpr float kFilledStrength = 0.93f;  // of the seen ground's
 constexpr float kObjectStrength = 0.85f;
 constexpr float kFaintStrength = 0.18f;  // of unlabeled hits beside labeled ones

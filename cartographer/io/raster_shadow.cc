@@ -20,7 +20,7 @@ constexpr double kHighest_m = 8.;
 // Points that lie closer than this to the ground may be part of it.
 constexpr double kLowest_m = 0.15;
 // The blur has to bridge the distance between a cloud's points [m]; two passes make it soft.
-constexpr double kBlur_m = 0.15;
+constexpr double kBlur_m = 0.2;
 constexpr int kNumBlurs = 2;
 // Densities of shadow points [1/m^2]: lone points below the first cast no shadow, so many more take
 // 1 - 1/e of the light.
@@ -94,7 +94,7 @@ std::vector<float> CastShadows(const map::Map& map, const sensor::LabelMask& hid
     AddShadow(*submaps[i], without, ground, frame, &counts);
   });
   for (size_t i = 0; i < shadow.size(); ++i) shadow[i] = counts[i];
-  const int radius = static_cast<int>(std::lround(kBlur_m / frame.resolution_m));
+  const int radius = static_cast<int>(std::ceil(kBlur_m / frame.resolution_m));
   for (int i = 0; radius > 0 && i < kNumBlurs; ++i) Blur(frame, radius, &shadow);
   const float density = static_cast<float>(1. / (frame.resolution_m * frame.resolution_m));
   for (float& value : shadow) {
