@@ -16,7 +16,10 @@ DEFINE_string(dataset, "",
               "present labels, confidences, calib.txt, times.txt and poses.");
 DEFINE_string(estimate, "", "Estimated trajectory in KITTI's format, 12 numbers a line.");
 DEFINE_int32(first_scan, 0, "Number of the scan to begin with.");
-DEFINE_string(ground_truth, "", "True trajectory in KITTI's format, 12 numbers a line.");
+DEFINE_string(
+    ground_truth, "",
+    "True trajectory in KITTI's format, 12 numbers a line. For \"run\" the data set's own "
+    "by default.");
 DEFINE_string(hide, "", "Labels that are left out, separated by commas: car,truck.");
 DEFINE_bool(json, false, "Print JSON for scripts instead of text for people.");
 DEFINE_string(labels_dir, "",

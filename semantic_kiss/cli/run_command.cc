@@ -41,10 +41,10 @@ dataset::ScanRange SelectedScans() {
 }
 
 absl::StatusOr<std::unique_ptr<dataset::ScanSource>> OpenScans(const Configuration& configuration) {
-  ASSIGN_OR_RETURN(
-      std::unique_ptr<dataset::ScanSource> scans,
-      dataset::OpenSemanticKitti({FLAGS_dataset, FLAGS_sequence, FLAGS_labels_dir}, SelectedScans(),
-                                 configuration.options.dataset(), configuration.labels));
+  ASSIGN_OR_RETURN(std::unique_ptr<dataset::ScanSource> scans,
+                   dataset::OpenSemanticKitti(
+                       {FLAGS_dataset, FLAGS_sequence, FLAGS_labels_dir, FLAGS_ground_truth},
+                       SelectedScans(), configuration.options.dataset(), configuration.labels));
   return std::make_unique<dataset::PrefetchingScanSource>(std::move(scans));
 }
 
@@ -106,8 +106,9 @@ Command RunCommand() {
       "Ctrl-C or SIGTERM ends the drive after the current scan; the files are then written for "
       "the scans so far and the exit code is 130 or 143. A second one ends at once and leaves the "
       "files as they were.";
-  command.flags = {{"config"},    {"dataset", true}, {"sequence"}, {"labels_dir"}, {"first_scan"},
-                   {"num_scans"}, {"output", true},  {"threads"},  {"quiet"}};
+  command.flags = {{"config"},       {"dataset", true}, {"sequence"},  {"labels_dir"},
+                   {"ground_truth"}, {"first_scan"},    {"num_scans"}, {"output", true},
+                   {"threads"},      {"quiet"}};
   command.files = {
       {"odometry_kitti.txt",
        "Poses as the odometry saw the drive, 12 numbers a line; of the camera "

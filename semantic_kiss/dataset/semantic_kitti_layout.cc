@@ -107,7 +107,13 @@ absl::Status FindConfidences(const proto::DatasetOptions& options, SemanticKitti
 
 // KITTI's own ground truth is in poses/; what SemanticKITTI puts beside the scans is the estimate
 // of another SLAM system, so it comes second.
-std::string FindPoses(const SemanticKittiLocation& location, const fs::path& sequence) {
+absl::StatusOr<std::string> FindPoses(const SemanticKittiLocation& location,
+                                      const fs::path& sequence) {
+  if (!location.ground_truth_file.empty()) {
+    if (Exists(location.ground_truth_file)) return location.ground_truth_file;
+    return absl::NotFoundError(absl::StrCat(location.ground_truth_file,
+                                            ": no such file; it was named as the ground truth"));
+  }
   const std::string truth =
       IfExists(fs::path(location.directory) / "poses" / (location.sequence + ".txt"));
   return truth.empty() ? IfExists(sequence / "poses.txt") : truth;
@@ -151,7 +157,7 @@ absl::StatusOr<SemanticKittiLayout> FindSemanticKittiFiles(const SemanticKittiLo
   layout.point_times_dir = IfExists(sequence / "point_times");
   layout.times_file = IfExists(sequence / "times.txt");
   layout.calib_file = IfExists(sequence / "calib.txt");
-  layout.poses_file = FindPoses(location, sequence);
+  ASSIGN_OR_RETURN(layout.poses_file, FindPoses(location, sequence));
   AddNotes(options, &layout);
   return layout;
 }

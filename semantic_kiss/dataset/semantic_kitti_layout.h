@@ -23,6 +23,8 @@ struct SemanticKittiLocation {
   // results of the SemanticKITTI benchmark, with sequences/NN/predictions in it. Empty: "labels",
   // if there is such a directory. kNoLabels: the scans are read without labels.
   std::string labels_dir;
+  // Another file of true poses than those that the data set has; empty: the data set's.
+  std::string ground_truth_file = {};
 };
 inline constexpr char kNoLabels[] = "none";
 

@@ -16,6 +16,7 @@ namespace {
 using semantic_kiss_testing::TemporaryDirectory;
 using semantic_kiss_testing::WriteText;
 using ::testing::Contains;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class SemanticKittiLayoutTest : public ::testing::Test {
@@ -83,6 +84,15 @@ TEST_F(SemanticKittiLayoutTest, PrefersTheBenchmarksGroundTruth) {
   const SemanticKittiLayout layout = Find();
   EXPECT_EQ(layout.poses_file, root_ / "poses/07.txt");
   EXPECT_THAT(layout.notes, Contains("ground truth from " + (root_ / "poses/07.txt")));
+}
+
+TEST_F(SemanticKittiLayoutTest, GroundTruthMayBeElsewhere) {
+  WriteText(sequence_ + "/poses.txt", "");
+  WriteText(root_ / "better.txt", "");
+  location_.ground_truth_file = root_ / "better.txt";
+  EXPECT_EQ(Find().poses_file, root_ / "better.txt");
+  location_.ground_truth_file = root_ / "none.txt";
+  EXPECT_THAT(Error(), HasSubstr("none.txt: no such file; it was named as the ground truth"));
 }
 
 TEST_F(SemanticKittiLayoutTest, LabelsMayBeLeftOut) {
