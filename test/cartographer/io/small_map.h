@@ -67,12 +67,12 @@ inline sensor::LabelSet StreetLabels() {
   return *std::move(labels);
 }
 
-inline sensor::LabeledPointCloud RandomCloud(int size, bool optional_columns,
+inline sensor::LabeledPointCloud RandomCloud(int size, float max_range_m, bool optional_columns,
                                              std::mt19937* random) {
   std::uniform_real_distribution<float> uniform(0.f, 1.f);
   sensor::LabeledPointCloud cloud;
   for (int i = 0; i < size; ++i) {
-    const float range = 30.f * uniform(*random), angle = 6.28f * uniform(*random);
+    const float range = max_range_m * uniform(*random), angle = 6.28f * uniform(*random);
     cloud.positions.emplace_back(range * std::cos(angle), range * std::sin(angle),
                                  3.f * uniform(*random) - 1.7f);
     cloud.labels.push_back(sensor::Label{static_cast<uint8_t>((*random)() % 5)});
@@ -95,7 +95,7 @@ inline transform::Rigid3d RandomPose(std::mt19937* random) {
 
 // A made-up map with several labels: `nodes_per_trajectory` nodes and a submap for every two of
 // them in each of two trajectories, which are not numbered 0 and 1.
-inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node) {
+inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node, float max_range_m = 30.f) {
   std::mt19937 random(7);
   map::Map map;
   map.labels = StreetLabels();
@@ -109,7 +109,7 @@ inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node) {
       node.map_from_node = RandomPose(&random);
       node.local_from_node = RandomPose(&random);
       node.cloud = std::make_shared<sensor::LabeledPointCloud>(
-          RandomCloud(points_per_node, trajectory == 4, &random));
+          RandomCloud(points_per_node, max_range_m, trajectory == 4, &random));
 
       const submap::SubmapId submap_id{trajectory, i / 2};
       map.constraints.push_back({submap_id, node_id, RandomPose(&random), 1e3, 2.5e2,
@@ -119,7 +119,7 @@ inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node) {
       submap->local_from_submap = transform::Level(RandomPose(&random));
       submap->num_scans = 2;
       submap->finished = i + 2 < nodes_per_trajectory;
-      submap->cloud = RandomCloud(2 * points_per_node, false, &random);
+      submap->cloud = RandomCloud(2 * points_per_node, max_range_m, false, &random);
       for (size_t j = 0; j < submap->cloud.size(); ++j) {
         const Eigen::Vector2f position = submap->cloud.positions[j].head<2>();
         submap->grid.AddHits(submap->cloud.labels[j], submap->grid.CellOf(position),
