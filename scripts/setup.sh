@@ -30,6 +30,7 @@ packages=(
   pkg-config
   protobuf-compiler
   python3
+  zlib1g-dev
 )
 
 if ! command -v dpkg-query >/dev/null; then

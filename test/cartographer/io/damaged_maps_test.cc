@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <iostream>
 #include <random>
 
 #include "cartographer/io/map_reader.h"
@@ -64,7 +63,6 @@ TEST_F(DamagedMapsTest, EveryTruncationIsRefused) {
 
 TEST_F(DamagedMapsTest, BitFlipsAreRefusedOrHarmless) {
   constexpr int kSeed = 20260101, kFlips = 10000;
-  std::cout << "[ seed " << kSeed << " ]\n";
   std::mt19937 random(kSeed);
   std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
   const auto set = [&file](size_t offset, char byte) {
