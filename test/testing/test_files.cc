@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "glog/logging.h"
 
@@ -27,6 +28,12 @@ void WriteText(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file << text << std::flush;
   CHECK(file.good()) << path;
+}
+
+std::string ReadText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  CHECK(file.good()) << path;
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 std::optional<std::string> RealDataDirectory() {

@@ -30,7 +30,10 @@ class TemporaryDirectory {
 // that does not work.
 void WriteText(const std::string& path, const std::string& text);
 
-// The same for binary values in the machine's (little-endian) order.
+// All bytes of a file. CHECK-fails if it cannot be read.
+std::string ReadText(const std::string& path);
+
+// As WriteText() for binary values in the machine's (little-endian) order.
 template <typename T>
 void WriteValues(const std::string& path, const std::vector<T>& values) {
   WriteText(path,

@@ -1,6 +1,5 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
-
 #include <unistd.h>
 
 #include <fstream>
@@ -9,12 +8,18 @@
 #include "cartographer/io/map_reader.h"
 #include "cartographer/io/map_summary.h"
 #include "cartographer/io/map_writer.h"
+#include "glog/logging.h"
 #include "test/cartographer/io/memory_peak.h"
-#include "test/cartographer/io/small_map.h"
+#include "test/testing/small_map.h"
+#include "test/testing/test_files.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::ReadText;
+using semantic_kiss_testing::SmallMap;
+using semantic_kiss_testing::TemporaryDirectory;
+using semantic_kiss_testing::WriteText;
 using ::testing::HasSubstr;
 
 // For what an error message takes.
@@ -24,7 +29,7 @@ class DamagedMapsTest : public ::testing::Test {
  protected:
   DamagedMapsTest() {
     CHECK(WriteMap(SmallMap(2, 20, 4.f), path_).ok());
-    bytes_ = FileContent(path_);
+    bytes_ = ReadText(path_);
     CHECK(ReadMap(path_).ok());  // what is allocated once is not counted below
     const MemoryPeak peak;
     CHECK(ReadMap(path_).ok());
@@ -42,13 +47,13 @@ class DamagedMapsTest : public ::testing::Test {
       return true;
     }
     EXPECT_TRUE(WriteMap(*map, rewritten_path_).ok());
-    EXPECT_EQ(FileContent(rewritten_path_), bytes_);
+    EXPECT_EQ(ReadText(rewritten_path_), bytes_);
     return false;
   }
 
   TemporaryDirectory directory_;
-  std::string path_ = directory_.Path("map.pbstream");
-  std::string rewritten_path_ = directory_.Path("again.pbstream");
+  std::string path_ = directory_ / "map.pbstream";
+  std::string rewritten_path_ = directory_ / "again.pbstream";
   std::string bytes_;
   size_t honest_peak_ = 0;
 };
@@ -85,7 +90,7 @@ TEST_F(DamagedMapsTest, BitFlipsAreRefusedOrHarmless) {
 TEST_F(DamagedMapsTest, AppendedBytesAreRefused) {
   for (const std::string& tail :
        {std::string(1, '\0'), std::string(8, '\0'), std::string(100, '\xff'), bytes_}) {
-    WriteFile(path_, bytes_ + tail);
+    WriteText(path_, bytes_ + tail);
     EXPECT_TRUE(ReadIsRefused()) << tail.size();
   }
 }

@@ -1,21 +1,26 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
-
 #include <zlib.h>
 
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "cartographer/io/map_writer.h"
-#include "test/cartographer/io/small_map.h"
+#include "glog/logging.h"
+#include "test/testing/small_map.h"
+#include "test/testing/test_files.h"
 
 // Takes a file apart by hand, without our reader and without protobuf: what stands here is what
 // docs/file_formats.md promises to other programs.
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::ReadText;
+using semantic_kiss_testing::StreetLabels;
+using semantic_kiss_testing::TemporaryDirectory;
 using ::testing::ElementsAre;
 
 uint64_t LittleEndian(const std::string& bytes, size_t offset) {
@@ -158,9 +163,9 @@ map::Map TinyMap() {
 class GoldenBytesTest : public ::testing::Test {
  protected:
   GoldenBytesTest() {
-    const std::string path = directory_.Path("map.pbstream");
+    const std::string path = directory_ / "map.pbstream";
     CHECK(WriteMap(TinyMap(), path).ok());
-    bytes_ = FileContent(path);
+    bytes_ = ReadText(path);
     records_ = Records(bytes_);
     CHECK_EQ(records_.size(), 5u);
   }

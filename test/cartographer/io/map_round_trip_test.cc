@@ -1,16 +1,25 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
-
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <random>
+
 #include "cartographer/io/map_reader.h"
 #include "cartographer/io/map_writer.h"
-#include "test/cartographer/io/small_map.h"
+#include "test/testing/small_map.h"
+#include "test/testing/test_files.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::RandomPose;
+using semantic_kiss_testing::ReadText;
+using semantic_kiss_testing::SmallMap;
+using semantic_kiss_testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -18,20 +27,20 @@ using ::testing::HasSubstr;
 class MapRoundTripTest : public ::testing::Test {
  protected:
   std::string Bytes(const map::Map& map, const std::string& name = "a") {
-    const absl::Status status = WriteMap(map, directory_.Path(name));
+    const absl::Status status = WriteMap(map, directory_ / name);
     EXPECT_TRUE(status.ok()) << status;
-    return FileContent(directory_.Path(name));
+    return ReadText(directory_ / name);
   }
 
   map::Map Read(const std::string& name) {
-    absl::StatusOr<map::Map> map = ReadMap(directory_.Path(name));
+    absl::StatusOr<map::Map> map = ReadMap(directory_ / name);
     EXPECT_TRUE(map.ok()) << map.status();
     return map.ok() ? *std::move(map) : map::Map();
   }
 
   std::string WriteError(const map::Map& map) {
-    const absl::Status status = WriteMap(map, directory_.Path("bad"));
-    EXPECT_FALSE(std::filesystem::exists(directory_.Path("bad")));
+    const absl::Status status = WriteMap(map, directory_ / "bad");
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "bad"));
     return std::string(status.message());
   }
 
@@ -157,7 +166,7 @@ TEST_F(MapRoundTripTest, WhatCannotBeReadIsNotWritten) {
   auto cloud = std::make_shared<sensor::LabeledPointCloud>(*map.nodes.begin()->second.cloud);
   cloud->labels[1] = sensor::Label{5};
   map.nodes.begin()->second.cloud = cloud;
-  EXPECT_THAT(WriteError(map), AllOf(HasSubstr(directory_.Path("bad")),
+  EXPECT_THAT(WriteError(map), AllOf(HasSubstr(directory_ / "bad"),
                                      HasSubstr("node (1, 3): point 1: label 5 is not in the set")));
 
   cloud->labels[1] = sensor::kUnlabeled;
@@ -190,7 +199,7 @@ TEST_F(MapRoundTripTest, WhatCannotBeReadIsNotWritten) {
 }
 
 TEST_F(MapRoundTripTest, UnwritablePlacesAreNamed) {
-  const absl::Status status = WriteMap(SmallMap(2, 3), directory_.Path("none/map.pbstream"));
+  const absl::Status status = WriteMap(SmallMap(2, 3), directory_ / "none/map.pbstream");
   EXPECT_THAT(std::string(status.message()), HasSubstr("none/map.pbstream"));
 }
 

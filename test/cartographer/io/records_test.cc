@@ -1,7 +1,6 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
-
-#include <fstream>
+#include <vector>
 
 #include "cartographer/io/gzip.h"
 #include "cartographer/io/parse_message.h"
@@ -10,12 +9,15 @@
 #include "cartographer/io/record_writer.h"
 #include "cartographer/mapping/proto/serialization.pb.h"
 #include "test/cartographer/io/memory_peak.h"
-#include "test/cartographer/io/small_map.h"
+#include "test/testing/test_files.h"
 
 namespace cartographer::io {
 namespace {
 
 using mapping::proto::NodeId;
+using semantic_kiss_testing::ReadText;
+using semantic_kiss_testing::TemporaryDirectory;
+using semantic_kiss_testing::WriteText;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -34,7 +36,7 @@ class RecordsTest : public ::testing::Test {
  protected:
   // Reads all records of a file of these bytes; the error, "" if there is none.
   std::string ReadAll(const std::string& bytes, std::vector<std::string>* messages = nullptr) {
-    WriteFile(path_, bytes);
+    WriteText(path_, bytes);
     const MemoryPeak peak;
     absl::StatusOr<RecordReader> reader = RecordReader::Open(path_);
     if (!reader.ok()) return std::string(reader.status().message());
@@ -49,7 +51,7 @@ class RecordsTest : public ::testing::Test {
   }
 
   TemporaryDirectory directory_;
-  std::string path_ = directory_.Path("records");
+  std::string path_ = directory_ / "records";
   size_t peak_bytes_ = 0;
 };
 
@@ -69,7 +71,7 @@ TEST_F(RecordsTest, WrittenRecordsComeBackInOrder) {
                   .ok());
   ASSERT_TRUE(writer->Commit().ok());
   std::vector<std::string> messages;
-  EXPECT_EQ(ReadAll(FileContent(path_), &messages), "");
+  EXPECT_EQ(ReadAll(ReadText(path_), &messages), "");
   ASSERT_EQ(messages.size(), 101u);
   for (int i = 0; i <= 100; ++i) {
     NodeId id;
@@ -100,9 +102,9 @@ TEST_F(RecordsTest, MessagesOverTheLimitAreNotWritten) {
 }
 
 TEST_F(RecordsTest, WhatIsNoFileOfRecordsIsToldApart) {
-  EXPECT_THAT(std::string(RecordReader::Open(directory_.Path("none")).status().message()),
+  EXPECT_THAT(std::string(RecordReader::Open(directory_ / "none").status().message()),
               HasSubstr("none: no such file"));
-  EXPECT_THAT(std::string(RecordReader::Open(directory_.Path("")).status().message()),
+  EXPECT_THAT(std::string(RecordReader::Open(directory_ / "").status().message()),
               HasSubstr("is not a regular file"));
   for (const std::string& bytes : {std::string(), std::string("\xdb\x01\xf5\x5b"), Integer(1),
                                    std::string("P5 2 2 255 abcd")}) {

@@ -1,24 +1,35 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "cartographer/io/map_reader.h"
 #include "cartographer/io/map_summary.h"
 #include "cartographer/io/map_writer.h"
-#include "test/cartographer/io/small_map.h"
+#include "test/testing/test_files.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::ReadText;
+using semantic_kiss_testing::RealDataDirectory;
+using semantic_kiss_testing::TemporaryDirectory;
 
 // Maps that stock Cartographer wrote.
 class StockMapsTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (StockMaps().empty()) GTEST_SKIP() << "NO STOCK MAPS: set SEMANTIC_KISS_DATA to test them";
+    const std::optional<std::string> data = RealDataDirectory();
+    if (!data.has_value()) GTEST_SKIP() << "no maps of stock Cartographer";
+    stock_maps_ = *data + "/pbstream/";
   }
 
-  static std::string Path(const std::string& name) { return StockMaps() + "/" + name; }
+  std::string Path(const std::string& name) const { return stock_maps_ + name; }
 
   TemporaryDirectory directory_;
+  std::string stock_maps_;
 };
 
 int CountConstraints(const map::Map& map, map::Constraint::Kind kind) {
@@ -80,11 +91,11 @@ TEST_F(StockMapsTest, Aces) {
 TEST_F(StockMapsTest, OnceReadTheyAreWrittenAlike) {
   const absl::StatusOr<map::Map> map = ReadMap(Path("stock_kitti_16_scans.pbstream"));
   ASSERT_TRUE(map.ok()) << map.status();
-  ASSERT_TRUE(WriteMap(*map, directory_.Path("first")).ok());
-  const absl::StatusOr<map::Map> again = ReadMap(directory_.Path("first"));
+  ASSERT_TRUE(WriteMap(*map, directory_ / "first").ok());
+  const absl::StatusOr<map::Map> again = ReadMap(directory_ / "first");
   ASSERT_TRUE(again.ok()) << again.status();
-  ASSERT_TRUE(WriteMap(*again, directory_.Path("second")).ok());
-  EXPECT_EQ(FileContent(directory_.Path("second")), FileContent(directory_.Path("first")));
+  ASSERT_TRUE(WriteMap(*again, directory_ / "second").ok());
+  EXPECT_EQ(ReadText(directory_ / "second"), ReadText(directory_ / "first"));
 }
 
 TEST_F(StockMapsTest, Summary) {
@@ -100,10 +111,10 @@ TEST_F(StockMapsTest, Summary) {
   uint64_t stored = 8;  // the magic number
   for (const MapSummary::Kind& kind : summary->kinds) stored += kind.stored_bytes;
   EXPECT_EQ(stored, summary->file_bytes);
-  const auto imu = std::find_if(summary->kinds.begin(), summary->kinds.end(),
-                                [](const auto& kind) { return kind.name == "odometry_data"; });
-  ASSERT_NE(imu, summary->kinds.end());
-  EXPECT_EQ(imu->count, 7374);
+  const auto odometry = std::find_if(summary->kinds.begin(), summary->kinds.end(),
+                                     [](const auto& kind) { return kind.name == "odometry_data"; });
+  ASSERT_NE(odometry, summary->kinds.end());
+  EXPECT_EQ(odometry->count, 7374);
 }
 
 }  // namespace

@@ -1,52 +1,44 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
 
-#ifndef TEST_CARTOGRAPHER_IO_SMALL_MAP_H_
-#define TEST_CARTOGRAPHER_IO_SMALL_MAP_H_
-
-#include <unistd.h>
+#include "test/testing/small_map.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 
-#include "cartographer/map/map.h"
 #include "glog/logging.h"
 
-namespace cartographer::io {
+namespace semantic_kiss_testing {
 
-// A directory of a test's own, removed at its end.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory()
-      : path_(std::filesystem::temp_directory_path() /
-              ("semantic_kiss_io_test_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directory(path_);
+namespace map = cartographer::map;
+namespace sensor = cartographer::sensor;
+namespace submap = cartographer::submap;
+namespace transform = cartographer::transform;
+
+namespace {
+
+sensor::LabeledPointCloud RandomCloud(int size, float max_range_m, bool optional_columns,
+                                      std::mt19937* random) {
+  std::uniform_real_distribution<float> uniform(0.f, 1.f);
+  sensor::LabeledPointCloud cloud;
+  for (int i = 0; i < size; ++i) {
+    const float range = max_range_m * uniform(*random), angle = 6.28f * uniform(*random);
+    cloud.positions.emplace_back(range * std::cos(angle), range * std::sin(angle),
+                                 3.f * uniform(*random) - 1.7f);
+    cloud.labels.push_back(sensor::Label{static_cast<uint8_t>((*random)() % 5)});
+    cloud.certainties.push_back(uniform(*random));
+    if (!optional_columns) continue;
+    cloud.intensities.push_back(uniform(*random));
+    cloud.times.push_back(-0.1f * uniform(*random));
   }
-  ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
-  std::string Path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string FileContent(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  CHECK(in) << path;
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  return cloud;
 }
 
-inline void WriteFile(const std::string& path, const std::string& content) {
-  std::ofstream(path, std::ios::binary) << content;
-}
+}  // namespace
 
-// unlabeled 0, road 1, car 2, building 3, pole 4.
-inline sensor::LabelSet StreetLabels() {
+sensor::LabelSet StreetLabels() {
   sensor::proto::LabelSet declaration;
   declaration.set_name("street");
   declaration.set_default_certainty(0.75);
@@ -67,24 +59,7 @@ inline sensor::LabelSet StreetLabels() {
   return *std::move(labels);
 }
 
-inline sensor::LabeledPointCloud RandomCloud(int size, float max_range_m, bool optional_columns,
-                                             std::mt19937* random) {
-  std::uniform_real_distribution<float> uniform(0.f, 1.f);
-  sensor::LabeledPointCloud cloud;
-  for (int i = 0; i < size; ++i) {
-    const float range = max_range_m * uniform(*random), angle = 6.28f * uniform(*random);
-    cloud.positions.emplace_back(range * std::cos(angle), range * std::sin(angle),
-                                 3.f * uniform(*random) - 1.7f);
-    cloud.labels.push_back(sensor::Label{static_cast<uint8_t>((*random)() % 5)});
-    cloud.certainties.push_back(uniform(*random));
-    if (!optional_columns) continue;
-    cloud.intensities.push_back(uniform(*random));
-    cloud.times.push_back(-0.1f * uniform(*random));
-  }
-  return cloud;
-}
-
-inline transform::Rigid3d RandomPose(std::mt19937* random) {
+transform::Rigid3d RandomPose(std::mt19937* random) {
   std::uniform_real_distribution<double> uniform(-1., 1.);
   const Eigen::Vector3d position(100. * uniform(*random), 100. * uniform(*random),
                                  uniform(*random));
@@ -93,9 +68,7 @@ inline transform::Rigid3d RandomPose(std::mt19937* random) {
   return transform::Rigid3d(position, heading * pitch);
 }
 
-// A made-up map with several labels: `nodes_per_trajectory` nodes and a submap for every two of
-// them in each of two trajectories, which are not numbered 0 and 1.
-inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node, float max_range_m = 30.f) {
+map::Map SmallMap(int nodes_per_trajectory, int points_per_node, float max_range_m) {
   std::mt19937 random(7);
   map::Map map;
   map.labels = StreetLabels();
@@ -105,7 +78,7 @@ inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node, float ma
     for (int i = 0; i < nodes_per_trajectory; ++i) {
       const submap::NodeId node_id{trajectory, 3 + i};
       map::MapNode& node = map.nodes[node_id];
-      node.time = common::FromUnixSeconds(1e9 + 100. * trajectory + 0.1 * i);
+      node.time = cartographer::common::FromUnixSeconds(1e9 + 100. * trajectory + 0.1 * i);
       node.map_from_node = RandomPose(&random);
       node.local_from_node = RandomPose(&random);
       node.cloud = std::make_shared<sensor::LabeledPointCloud>(
@@ -135,18 +108,4 @@ inline map::Map SmallMap(int nodes_per_trajectory, int points_per_node, float ma
   return map;
 }
 
-// The folder of stock Cartographer's maps, empty where they are not at hand.
-inline std::string StockMaps() {
-  const char* const data = std::getenv("SEMANTIC_KISS_DATA");
-  const char* const source = std::getenv("SEMANTIC_KISS_SOURCE_DIR");
-  const std::filesystem::path directory =
-      (data != nullptr
-           ? std::filesystem::path(data)
-           : std::filesystem::path(source != nullptr ? source : ".") / "../shared/data") /
-      "pbstream";
-  return std::filesystem::exists(directory) ? directory.string() : "";
-}
-
-}  // namespace cartographer::io
-
-#endif  // TEST_CARTOGRAPHER_IO_SMALL_MAP_H_
+}  // namespace semantic_kiss_testing
