@@ -1,0 +1,147 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "semantic_kiss/simulation/sequence_writer.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "cartographer/common/status.h"
+#include "cartographer/io/atomic_file.h"
+#include "cartographer/io/trajectory_files.h"
+#include "semantic_kiss/simulation/material.h"
+#include "semantic_kiss/simulation/recorded_route.h"
+
+namespace semantic_kiss::simulation {
+namespace {
+
+using cartographer::io::WriteFileAtomically;
+using cartographer::transform::Rigid3d;
+
+constexpr char kManifest[] = "simulation.lua";
+
+absl::Status MakeDirectory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!error) return absl::OkStatus();
+  return absl::PermissionDeniedError(
+      absl::StrCat(path, ": cannot make this directory: ", error.message()));
+}
+
+// One number a point as the bytes of a file.
+template <typename Number, typename Get>
+std::string Bytes(const SimulatedScan& points, const Get& get) {
+  std::vector<Number> numbers;
+  numbers.reserve(points.size());
+  for (const SimulatedPoint& point : points) numbers.push_back(get(point));
+  return std::string(reinterpret_cast<const char*>(numbers.data()),
+                     numbers.size() * sizeof(Number));
+}
+
+// As in SemanticKITTI, the upper 16 bits tell the individuals of countable classes apart.
+uint32_t LabelWord(const SimulatedPoint& point) {
+  const uint32_t instance = IsMovable(point.label) ? point.object % 0xfffe + 1 : 0;
+  return instance << 16 | point.label;
+}
+
+std::string CalibrationRows() {
+  const Eigen::Matrix<double, 3, 4> tr = CameraFromLidar().Matrix();
+  std::string rows;
+  for (int camera = 0; camera < 4; ++camera) {
+    absl::StrAppendFormat(&rows, "P%d: 707.0912 0 601.8873 0 0 707.0912 183.1104 0 0 0 1 0\n",
+                          camera);
+  }
+  absl::StrAppend(&rows, "Tr:");
+  for (int i = 0; i < 12; ++i) absl::StrAppendFormat(&rows, " %.12e", tr(i / 4, i % 4));
+  absl::StrAppend(&rows, "\n");
+  return rows;
+}
+
+}  // namespace
+
+absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory, int sequence,
+                                                    const ScanColumns& columns,
+                                                    absl::string_view manifest) {
+  SequenceWriter writer(absl::StrFormat("%s/sequences/%02d", directory, sequence), columns);
+  for (const char* folder : {"velodyne", "labels"}) {
+    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/", folder)));
+  }
+  if (columns.certainties) {
+    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/confidences")));
+  }
+  if (columns.times) {
+    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/point_times")));
+  }
+  const std::string path = absl::StrCat(writer.directory_, "/", kManifest);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    const std::string scans = absl::StrCat(writer.directory_, "/velodyne");
+    if (!std::filesystem::is_empty(scans)) {
+      return absl::FailedPreconditionError(absl::StrCat(
+          scans, ": scans that this command did not write are here; choose another directory"));
+    }
+    RETURN_IF_ERROR(WriteFileAtomically(path, manifest));
+    return writer;
+  }
+  const std::string present{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (present != manifest) {
+    return absl::FailedPreconditionError(
+        absl::StrCat(path,
+                     ": scans made with other options are here; remove them or choose "
+                     "another directory or sequence"));
+  }
+  return writer;
+}
+
+std::string SequenceWriter::PathOf(absl::string_view folder, int scan,
+                                   absl::string_view ending) const {
+  return absl::StrFormat("%s/%s/%06d.%s", directory_, folder, scan, ending);
+}
+
+bool SequenceWriter::IsComplete(int scan) const {
+  return std::filesystem::exists(PathOf("velodyne", scan, "bin"));
+}
+
+absl::Status SequenceWriter::WriteScan(int scan, const SimulatedScan& points) const {
+  RETURN_IF_ERROR(
+      WriteFileAtomically(PathOf("labels", scan, "label"), Bytes<uint32_t>(points, LabelWord)));
+  if (columns_.certainties) {
+    RETURN_IF_ERROR(WriteFileAtomically(
+        PathOf("confidences", scan, "conf"),
+        Bytes<float>(points, [](const SimulatedPoint& point) { return point.certainty; })));
+  }
+  if (columns_.times) {
+    RETURN_IF_ERROR(WriteFileAtomically(
+        PathOf("point_times", scan, "bin"),
+        Bytes<float>(points, [](const SimulatedPoint& point) { return point.time_s; })));
+  }
+  return WriteFileAtomically(PathOf("velodyne", scan, "bin"),
+                             Bytes<std::array<float, 4>>(points, [](const SimulatedPoint& point) {
+                               return std::array<float, 4>{point.position.x(), point.position.y(),
+                                                           point.position.z(), point.remission};
+                             }));
+}
+
+absl::Status SequenceWriter::WriteDrive(const std::vector<Rigid3d>& world_from_lidar,
+                                        double scan_rate_hz) const {
+  RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(directory_, "/calib.txt"), CalibrationRows()));
+  std::string times;
+  std::vector<Rigid3d> first_from_lidar;
+  for (size_t i = 0; i < world_from_lidar.size(); ++i) {
+    absl::StrAppendFormat(&times, "%.6e\n", i / scan_rate_hz);
+    first_from_lidar.push_back(world_from_lidar.front().inverse() * world_from_lidar[i]);
+  }
+  RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(directory_, "/times.txt"), times));
+  return cartographer::io::WriteKittiPoses(
+      absl::StrCat(directory_, "/poses.txt"),
+      cartographer::io::PosesOfOtherBody(first_from_lidar, CameraFromLidar()));
+}
+
+}  // namespace semantic_kiss::simulation
