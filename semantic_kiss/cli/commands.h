@@ -19,6 +19,7 @@ Command EvaluateCommand();
 Command InfoCommand();
 Command RenderCommand();
 Command RunCommand();
+Command SimulateCommand();
 
 }  // namespace semantic_kiss::cli
 

@@ -14,6 +14,7 @@ DEFINE_string(config, "semantic_kiss.lua",
 DEFINE_string(dataset, "",
               "Folder in SemanticKITTI's layout: sequences/NN/velodyne/*.bin, and as far as "
               "present labels, confidences, calib.txt, times.txt and poses.");
+DEFINE_int32(epoch, 0, "The day: on another one most parked vehicles differ, nothing else.");
 DEFINE_string(estimate, "", "Estimated trajectory in KITTI's format, 12 numbers a line.");
 DEFINE_int32(first_scan, 0, "Number of the scan to begin with.");
 DEFINE_string(
@@ -22,15 +23,23 @@ DEFINE_string(
     "by default.");
 DEFINE_string(hide, "", "Labels that are left out, separated by commas: car,truck.");
 DEFINE_bool(json, false, "Print JSON for scripts instead of text for people.");
+DEFINE_double(label_noise, 0., "Share of points with a wrong label, up to 0.25.");
 DEFINE_string(labels_dir, "",
               "Where the labels are: a folder of the sequence such as `predictions`, an absolute "
               "path (also one with sequences/NN/predictions in it), or `none`.");
+DEFINE_double(length, 0., "Length of a synthetic route in metres.");
+DEFINE_string(lidar, "", "The lidar: hdl64, os1_128, vlp16, or another one of the configuration.");
 DEFINE_string(map, "", "Map to read.");
 DEFINE_int32(num_scans, 0, "Number of scans to use.");
 DEFINE_string(output, "",
               "Where results go. Existing results are replaced once new ones are whole.");
+DEFINE_string(poses, "", "Drive the way of this file: camera poses in KITTI's format.");
+DEFINE_string(preview, "", "Draw the town from above with the route: a PNG.");
 DEFINE_bool(quiet, false, "Print nothing but errors.");
+DEFINE_bool(raw, false, "Leave points as measured, not deskewed, and write their times.");
 DEFINE_double(resolution, 0., "Side of a pixel in metres.");
+DEFINE_string(route, "", "Synthetic route: city, highway or loop.");
+DEFINE_int64(seed, 0, "What the town and the lidar's errors are made from.");
 DEFINE_string(sequence, "00", "Sequence of the data set.");
 DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
 
@@ -46,12 +55,21 @@ const std::vector<FlagInfo>& Flags() {
       {"map", "FILE", G::kInput, V::kFile},
       {"ground_truth", "FILE", G::kInput, V::kFile},
       {"estimate", "FILE", G::kInput, V::kFile},
+      {"route", "KIND", G::kInput, V::kText, "as configured"},
+      {"poses", "FILE", G::kInput, V::kFile},
+      {"lidar", "NAME", G::kInput, V::kText, "as configured"},
       {"calib", "FILE", G::kInput, V::kFile},
       {"labels_dir", "DIR", G::kInput, V::kDirectory, "labels, if there are any"},
       {"first_scan", "N", G::kSelection, V::kNumber, "the first", 0.},
       {"num_scans", "N", G::kSelection, V::kNumber, "all", 0.},
+      {"length", "M", G::kSelection, V::kNumber, "as configured", 0.},
+      {"seed", "N", G::kSelection, V::kNumber, "as configured", 0.},
+      {"epoch", "N", G::kSelection, V::kNumber, "as configured", 0.},
+      {"label_noise", "SHARE", G::kSelection, V::kNumber, "as configured", 0.},
       {"hide", "LABELS", G::kSelection, V::kText},
       {"output", "PATH", G::kOutput, V::kFile},
+      {"raw", "", G::kOutput, V::kNone},
+      {"preview", "FILE", G::kOutput, V::kFile},
       {"resolution", "M", G::kOutput, V::kNumber, "as configured", 0.},
       {"json", "", G::kOutput, V::kNone},
       {"threads", "N", G::kExecution, V::kNumber, "all cores", 0.},

@@ -14,17 +14,26 @@
 DECLARE_string(calib);
 DECLARE_string(config);
 DECLARE_string(dataset);
+DECLARE_int32(epoch);
 DECLARE_string(estimate);
 DECLARE_int32(first_scan);
 DECLARE_string(ground_truth);
 DECLARE_string(hide);
 DECLARE_bool(json);
+DECLARE_double(label_noise);
 DECLARE_string(labels_dir);
+DECLARE_double(length);
+DECLARE_string(lidar);
 DECLARE_string(map);
 DECLARE_int32(num_scans);
 DECLARE_string(output);
+DECLARE_string(poses);
+DECLARE_string(preview);
 DECLARE_bool(quiet);
+DECLARE_bool(raw);
 DECLARE_double(resolution);
+DECLARE_string(route);
+DECLARE_int64(seed);
 DECLARE_string(sequence);
 DECLARE_int32(threads);
 

@@ -34,7 +34,7 @@ bool IsMarking(const CentrePoint& centre, double across_m, double outside_m) {
     if (std::abs(from_edge_m - 0.5) < 0.1 || std::abs(across_m - 2.6) < 0.1) return true;
     return std::abs(across_m - 6.8) < 0.08 && std::fmod(centre.arc_m, 12.) < 4.;
   }
-  return across_m < 0.07 && std::fmod(centre.arc_m, 8.) < 4.;
+  return !centre.bend && across_m < 0.07 && std::fmod(centre.arc_m, 8.) < 4.;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 // How urban a place is: 0 a suburb of houses in gardens, 1 closed fronts along the sidewalk.
 double Urbanity(const Site& site, const Eigen::Vector2d& p) {
   const uint64_t key = HashKey({site.seed, static_cast<uint64_t>(Purpose::kBuilding)});
-  return std::clamp(0.5 + 0.9 * SmoothNoise(key, p.x() / 130., p.y() / 130.), 0., 1.);
+  return std::clamp(0.3 + 0.9 * SmoothNoise(key, p.x() / 130., p.y() / 130.), 0., 1.);
 }
 
 double LowestGround(const Site& site, const Footprint& footprint) {

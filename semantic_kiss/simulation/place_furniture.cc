@@ -14,7 +14,7 @@ namespace {
 
 void PlaceLamps(Site* site) {
   WalkKerbs(*site, Purpose::kFurniture, 0, [&](const Kerbside& kerb, Random& random) {
-    const double next_m = random.Uniform(24., 38.) / site->options.furniture_density();
+    const double next_m = random.Uniform(30., 45.) / site->options.furniture_density();
     if (kerb.centre->section.highway || random.Chance(0.3)) return next_m;
     const Footprint foot{kerb.At(kerb.Sidewalk() + 0.45), kerb.Yaw(), 0.15, 0.15};
     if (!site->IsFree(foot, {0.25, 1.6})) return 4.;
@@ -26,7 +26,7 @@ void PlaceLamps(Site* site) {
 
 void PlaceSigns(Site* site) {
   WalkKerbs(*site, Purpose::kFurniture, 1, [&](const Kerbside& kerb, Random& random) {
-    const double next_m = random.Uniform(12., 50.) / site->options.furniture_density();
+    const double next_m = random.Uniform(20., 80.) / site->options.furniture_density();
     const bool highway = kerb.centre->section.highway;
     const double outside_m = highway ? 2. : kerb.Sidewalk() + random.Uniform(0.3, 0.6);
     const Footprint foot{kerb.At(outside_m), kerb.Yaw(), 0.15, 0.15};
@@ -42,7 +42,7 @@ void PlaceSigns(Site* site) {
 
 void PlaceBins(Site* site) {
   WalkKerbs(*site, Purpose::kFurniture, 2, [&](const Kerbside& kerb, Random& random) {
-    const double next_m = random.Uniform(15., 60.) / site->options.furniture_density();
+    const double next_m = random.Uniform(50., 200.) / site->options.furniture_density();
     if (kerb.centre->section.highway) return next_m;
     const Footprint foot{kerb.At(kerb.Property() - 0.3), kerb.Yaw(), 0.4, 0.4};
     if (!site->IsFree(foot, {0.5, 1.6})) return 3.;
@@ -67,20 +67,20 @@ void PlaceBoundaries(Site* site) {
   struct Property {
     BarrierKind kind = BarrierKind::kHedge;
     double height_m = 1.;
-    double ends_m = -1.;
+    double left_m = 0.;  // to go along it
     bool open = false;
   } property;
   WalkKerbs(*site, Purpose::kVegetation, 0, [&](const Kerbside& kerb, Random& random) {
-    const double arc_m = kerb.centre->arc_m;
     if (kerb.centre->section.highway) return kPanel_m;
-    if (arc_m >= property.ends_m || arc_m < property.ends_m - 60.) {
+    property.left_m -= kPanel_m;
+    if (property.left_m < 0.) {
       const double kind = random.Uniform();
-      property.kind = kind < 0.45  ? BarrierKind::kHedge
-                      : kind < 0.8 ? BarrierKind::kFence
+      property.kind = kind < 0.7   ? BarrierKind::kHedge
+                      : kind < 0.9 ? BarrierKind::kFence
                                    : BarrierKind::kWall;
-      property.height_m = random.Uniform(0.7, property.kind == BarrierKind::kHedge ? 2.1 : 1.5);
-      property.ends_m = arc_m + random.Uniform(8., 25.);
-      property.open = random.Chance(0.4);
+      property.height_m = random.Uniform(0.8, property.kind == BarrierKind::kHedge ? 2.4 : 1.6);
+      property.left_m = random.Uniform(8., 25.);
+      property.open = random.Chance(0.1);
     }
     if (property.open || random.Chance(0.12)) return kPanel_m;
     Footprint panel{kerb.At(kerb.Property() + 0.5), kerb.Yaw(), 0.5 * kPanel_m, 0.3};

@@ -30,7 +30,7 @@ void Settle(const Footprint& place, double yaw, double occupancy, Site* site) {
 double Crowd(const Site& site, const Eigen::Vector2d& position) {
   const uint64_t key = HashKey({site.seed, static_cast<uint64_t>(Purpose::kVehicle)});
   const double noise = SmoothNoise(key, position.x() / 90., position.y() / 90.);
-  return std::min(0.95, site.options.parked_vehicle_density() * (0.55 + 0.5 * noise));
+  return std::min(0.95, site.options.parked_vehicle_density() * (0.38 + 0.5 * noise));
 }
 
 void PlaceTruck(const Kerbside& kerb, Site* site, Random* random) {

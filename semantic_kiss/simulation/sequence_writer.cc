@@ -66,10 +66,11 @@ std::string CalibrationRows() {
 
 }  // namespace
 
-absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory, int sequence,
+absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory,
+                                                    const std::string& sequence,
                                                     const ScanColumns& columns,
                                                     absl::string_view manifest) {
-  SequenceWriter writer(absl::StrFormat("%s/sequences/%02d", directory, sequence), columns);
+  SequenceWriter writer(absl::StrCat(directory, "/sequences/", sequence), columns);
   for (const char* folder : {"velodyne", "labels"}) {
     RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/", folder)));
   }

@@ -27,7 +27,8 @@ class SequenceWriter {
  public:
   // Makes the directories. `manifest` describes how the scans are made; if a manifest of another
   // content is there, scans of two kinds would mix: FailedPrecondition.
-  static absl::StatusOr<SequenceWriter> Open(const std::string& directory, int sequence,
+  static absl::StatusOr<SequenceWriter> Open(const std::string& directory,
+                                             const std::string& sequence,
                                              const ScanColumns& columns,
                                              absl::string_view manifest);
 

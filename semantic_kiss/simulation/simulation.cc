@@ -71,10 +71,22 @@ SimulatedScan Simulation::Scan(int index) const {
   return points;
 }
 
+double Simulation::length_m() const {
+  double length_m = 0.;
+  for (size_t i = 1; i < route_.poses.size(); ++i) {
+    length_m += (route_.poses[i].position - route_.poses[i - 1].position).norm();
+  }
+  return length_m;
+}
+
+int ScansToWrite(const Simulation& simulation, const WriteRequest& request) {
+  if (request.num_scans <= 0) return simulation.num_scans();
+  return std::min(request.num_scans, simulation.num_scans());
+}
+
 absl::Status WriteSequence(const Simulation& simulation, const WriteRequest& request,
                            const WriteProgress& progress) {
-  const int total = request.num_scans > 0 ? std::min(request.num_scans, simulation.num_scans())
-                                          : simulation.num_scans();
+  const int total = ScansToWrite(simulation, request);
   const ScanColumns columns{simulation.options().label_noise().share() > 0.,
                             simulation.options().raw()};
   ASSIGN_OR_RETURN(
@@ -90,8 +102,8 @@ absl::Status WriteSequence(const Simulation& simulation, const WriteRequest& req
       }
     });
     for (const absl::Status& status : statuses) RETURN_IF_ERROR(status);
-    if (!progress(first + size, total)) {
-      return absl::CancelledError(absl::StrCat("stopped after ", first + size, " of ", total,
+    if (!progress(first + size)) {
+      return absl::CancelledError(absl::StrCat("after ", first + size, " of ", total,
                                                " scans; the same command goes on from there"));
     }
   }

@@ -29,6 +29,7 @@ class Simulation {
   static absl::StatusOr<std::unique_ptr<Simulation>> Create(
       const proto::SimulationOptions& options);
 
+  double length_m() const;
   int num_scans() const { return static_cast<int>(world_from_lidar_.size()); }
 
   // The scan as it is written, labels and certainties included. Any thread may ask for any scan.
@@ -58,12 +59,15 @@ class Simulation {
 
 struct WriteRequest {
   std::string directory;
-  int sequence = 0;
+  std::string sequence = "00";
   int num_scans = 0;  // 0: the whole drive
 };
 
+// Number of scans that the request asks for.
+int ScansToWrite(const Simulation& simulation, const WriteRequest& request);
+
 // Told after every few scans: how many of the wanted ones are there. Returns false to stop.
-using WriteProgress = std::function<bool(int done, int total)>;
+using WriteProgress = std::function<bool(int done)>;
 
 // Writes the drive as a SemanticKITTI sequence, scans in parallel on the calling arena's threads.
 // Scans that are already there are kept, so an interrupted run may be repeated. Cancelled: progress

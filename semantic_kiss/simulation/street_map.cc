@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "semantic_kiss/simulation/random.h"
 #include "semantic_kiss/simulation/synthetic_routes.h"
@@ -21,6 +22,8 @@ constexpr double kTransition_m = 120.;
 // A visit this near to a known centre line drives on the same street.
 constexpr double kSameStreet_m = 3.;
 constexpr double kSameStreetHighway_m = 12.;
+// From point to point.
+constexpr double kBend_rad = 0.03;
 
 double DistanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& from,
                          const Eigen::Vector2d& to) {
@@ -44,10 +47,10 @@ StreetSection SectionAt(const Eigen::Vector2d& p, bool highway, uint64_t seed) {
   const auto noise = [&](uint64_t n, double length_m) {
     return SmoothNoise(key + n, p.x() / length_m, p.y() / length_m);
   };
-  section.half_width_m = 4.1 + 0.9 * noise(1, 150.);
-  section.sidewalk_m = 2.4 + 1.2 * noise(2, 100.);
+  section.half_width_m = 3.5 + 0.7 * noise(1, 150.);
+  section.sidewalk_m = 3.2 + 2. * noise(2, 100.);
   for (int side : {0, 1}) {
-    if (noise(3 + side, 70.) > -0.1) section.parking_m[side] = 2.2;
+    if (noise(3 + side, 70.) > 0.2) section.parking_m[side] = 2.2;
   }
   return section;
 }
@@ -110,55 +113,63 @@ StreetMap::StreetMap(const Route& route, double margin_m, uint64_t seed)
     for (const StreetPoint& point : street) {
       if (wanted.contains(point.pose.position)) kept.push_back(point);
     }
-    AddStreet(kept, -1, seed);
+    AddSideStreet(kept, seed);
   }
   AddDrivenStreets(route, seed);
 }
 
-void StreetMap::AddStreet(const std::vector<StreetPoint>& points, int first_order, uint64_t seed) {
-  if (points.size() < 2) return;
-  const size_t first = centres_.size();
-  double arc_m = 0.;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const PlanarPose& pose = points[i].pose;
-    if (i > 0) arc_m += (pose.position - points[i - 1].pose.position).norm();
-    const int order = first_order < 0 ? -1 : first_order + static_cast<int>(i);
-    centres_.push_back({pose, arc_m, order, SectionAt(pose.position, points[i].highway, seed)});
+void StreetMap::Append(const StreetPoint& point, int order, bool goes_on, uint64_t seed) {
+  CentrePoint centre;
+  centre.pose = point.pose;
+  centre.order = order;
+  centre.section = SectionAt(point.pose.position, point.highway, seed);
+  if (goes_on) {
+    const CentrePoint& last = centres_.back();
+    centre.arc_m = last.arc_m + (point.pose.position - last.pose.position).norm();
+    centre.bend = std::abs(point.pose.yaw - last.pose.yaw) > kBend_rad;
+  } else {
+    streets_.emplace_back(centres_.size(), centres_.size());
   }
-  streets_.emplace_back(first, centres_.size());
-  for (size_t i = first; i + 1 < centres_.size(); ++i) StampSection(i);
+  centres_.push_back(centre);
+  streets_.back().second = centres_.size();
+}
+
+void StreetMap::AddSideStreet(const std::vector<StreetPoint>& points, uint64_t seed) {
+  for (size_t i = 0; i < points.size(); ++i) {
+    Append(points[i], -1, i > 0, seed);
+    if (i > 0) StampSection(centres_.size() - 2);
+  }
 }
 
 void StreetMap::AddDrivenStreets(const Route& route, uint64_t seed) {
-  // The drive joins a street that it knows, but not the piece that it has just left behind.
-  constexpr int kRecent = 40;
-  constexpr size_t kPiece = 40;
   const std::vector<StreetPoint> line = DrivenLine(route);
   const std::vector<double> offsets = LaneOffsets(line);
-  std::vector<StreetPoint> piece;
-  const int size = static_cast<int>(line.size());
-  for (int i = 0; i < size; ++i) {
+  // Stamped late, so that the line does not take its own recent past for a street that it knows.
+  constexpr int kDelay = 40;
+  std::deque<size_t> unstamped;
+  bool goes_on = false;
+  for (int i = 0; i < static_cast<int>(line.size()); ++i) {
     StreetPoint point = line[i];
     point.pose.position += offsets[i] * line[i].pose.Left();
-    const bool known = IsKnownStreet(point, i - kRecent);
-    if (!known) piece.push_back(point);
-    const int first_order = i + 1 - static_cast<int>(piece.size());
-    if (known || piece.size() == kPiece) {
-      AddStreet(piece, std::max(0, first_order), seed);
-      piece.clear();
-      if (!known) piece.push_back(point);
+    const bool known = IsKnownStreet(point);
+    if (!known) {
+      if (goes_on) unstamped.push_back(centres_.size() - 1);
+      Append(point, i, goes_on, seed);
+    }
+    goes_on = !known;
+    while (!unstamped.empty() && centres_[unstamped.front()].order + kDelay < i) {
+      StampSection(unstamped.front());
+      unstamped.pop_front();
     }
   }
-  AddStreet(piece, size - static_cast<int>(piece.size()), seed);
+  for (const size_t index : unstamped) StampSection(index);
 }
 
-bool StreetMap::IsKnownStreet(const StreetPoint& point, int before_order) const {
+bool StreetMap::IsKnownStreet(const StreetPoint& point) const {
   const Place place = Find(point.pose.position);
   if (place.nearest < 0) return false;
-  const CentrePoint& centre = centres_[place.nearest];
-  return centre.order < before_order &&
-         place.across_m < (point.highway ? kSameStreetHighway_m : kSameStreet_m) &&
-         std::abs(std::sin(centre.pose.yaw - point.pose.yaw)) < 0.5;
+  return place.across_m < (point.highway ? kSameStreetHighway_m : kSameStreet_m) &&
+         std::abs(std::sin(centres_[place.nearest].pose.yaw - point.pose.yaw)) < 0.5;
 }
 
 void StreetMap::StampSection(size_t index) {

@@ -28,6 +28,7 @@ struct CentrePoint {
   PlanarPose pose;
   double arc_m = 0.;  // along its street
   int order = -1;     // along the drive, in points; -1: not driven
+  bool bend = false;  // turns sharply here, as at crossings
   StreetSection section;
 };
 
@@ -74,11 +75,12 @@ class StreetMap {
     Cover cover = Cover::kByStreet;
   };
 
-  // `first_order`: of the first point, -1 for a street that is not driven.
-  void AddStreet(const std::vector<StreetPoint>& points, int first_order, uint64_t seed);
-  // Whether the point lies on a street driven before this order, or not driven.
-  bool IsKnownStreet(const StreetPoint& point, int before_order) const;
+  // Adds a point to the last street if that goes on, else begins another one.
+  void Append(const StreetPoint& point, int order, bool goes_on, uint64_t seed);
+  void AddSideStreet(const std::vector<StreetPoint>& points, uint64_t seed);
   void AddDrivenStreets(const Route& route, uint64_t seed);
+  // Whether the point lies on a street that is stamped already.
+  bool IsKnownStreet(const StreetPoint& point) const;
   void StampSection(size_t index);
   void StampDriven(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 

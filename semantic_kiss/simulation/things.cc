@@ -124,7 +124,7 @@ std::vector<Primitive> MakeTree(const Stand& stand, double crown_bottom_m, Rando
   const double radius_m = random.Uniform(1.4, 3.2);
   const double half_height_m = radius_m * random.Uniform(0.8, 1.5);
   std::vector<Primitive> pieces = {
-      Pole(stand, random.Uniform(0.1, 0.28), bottom_m + half_height_m, material::kBark)};
+      Pole(stand, random.Uniform(0.08, 0.2), bottom_m + half_height_m, material::kBark)};
   const int lobes = 2 + random.Index(3);
   for (int i = 0; i < lobes; ++i) {
     const double angle = random.Uniform(0., 2. * M_PI);
@@ -140,7 +140,7 @@ std::vector<Primitive> MakeTree(const Stand& stand, double crown_bottom_m, Rando
 }
 
 std::vector<Primitive> MakeBush(const Stand& stand, Random random) {
-  const double radius_m = random.Uniform(0.4, 1.5);
+  const double radius_m = random.Uniform(0.5, 1.7);
   const double height_m = radius_m * random.Uniform(0.7, 1.2);
   return {Leaves(stand, {0., 0., 0.6 * height_m},
                  {radius_m, radius_m * random.Uniform(0.7, 1.3), height_m}, random.Uniform(2., 6.),

@@ -30,8 +30,8 @@ WorldBuilder::WorldBuilder(const proto::WorldOptions& options, uint64_t seed, in
 
 void WorldBuilder::PlanLots() {
   WalkKerbs(site_, Purpose::kStreet, 1, [&](const Kerbside& kerb, Random& random) {
-    const double next_m = random.Uniform(60., 220.);
-    if (kerb.centre->section.highway || next_m > 180.) return next_m;
+    const double next_m = random.Uniform(120., 400.);
+    if (kerb.centre->section.highway || next_m > 260.) return next_m;
     const double depth_m = 17.;
     const Footprint lot{kerb.At(kerb.Property() + 0.5 * depth_m + 0.5), kerb.Yaw(),
                         random.Uniform(10., 20.), 0.5 * depth_m};
