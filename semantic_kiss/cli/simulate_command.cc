@@ -54,7 +54,7 @@ absl::StatusOr<SimulationOptions> LoadSimulationOptions() {
   if (IsGiven("raw")) options.set_raw(FLAGS_raw);
   // What flags set must keep to the options' bounds as well.
   RETURN_IF_ERROR(cartographer::common::LoadOptionsFromString(
-      absl::StrCat("return ", cartographer::common::OptionsToLua(options)), "flags", {}, &options));
+      cartographer::common::OptionsToLua(options), "flags", {}, &options));
   return options;
 }
 
