@@ -1,8 +1,8 @@
 # cmake -D BUILD=DIR -D WORK=DIR -D CXX=COMPILER -P run.cmake
 #
 # Installs the build tree BUILD below WORK, then configures, builds and runs the project of this
-# folder against what was installed. WORK is emptied first, so that a file which is no longer
-# installed is missed.
+# folder against what was installed, and the installed program with an installed Lua file. WORK is
+# emptied first, so that a file which is no longer installed is missed.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output
                   ERROR_VARIABLE output)
@@ -19,3 +19,4 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
     -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${WORK}/moved)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+run(${WORK}/moved/bin/semantic_kiss config --config=semantic_kiss.lua)
