@@ -24,11 +24,12 @@ absl::StatusOr<mapping::proto::Submap> UnnamedToProto(const SubmapElement& eleme
   *stock.mutable_local_pose() = ToProto(submap.local_from_submap);
   stock.set_num_range_data(submap.num_scans);
   stock.set_finished(submap.finished);
+  // First, since it checks that cells are where indices can be computed with.
+  map::proto::SemanticSubmap& semantic = *proto.mutable_semantic();
+  ASSIGN_OR_RETURN(*semantic.mutable_grid(), ToProto(submap.grid, labels.size()));
   ASSIGN_OR_RETURN(*stock.mutable_grid(),
                    ToStockGrid(submap.grid, labels.WithRole(sensor::LabelRole::kGround),
                                submap.local_from_submap));
-  map::proto::SemanticSubmap& semantic = *proto.mutable_semantic();
-  ASSIGN_OR_RETURN(*semantic.mutable_grid(), ToProto(submap.grid, labels.size()));
   ASSIGN_OR_RETURN(CloudProto cloud,
                    ToProto(submap.cloud, labels.size(), Eigen::Quaterniond::Identity()));
   *semantic.mutable_cloud() = std::move(cloud.positions);

@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "google/protobuf/descriptor.h"
 #include "google/protobuf/io/coded_stream.h"
+#include "google/protobuf/stubs/logging.h"
 #include "google/protobuf/wire_format_lite.h"
 
 namespace cartographer::io {
@@ -65,6 +66,8 @@ class MemoryBudget {
 }  // namespace
 
 absl::Status ParseMessage(const std::string& bytes, google::protobuf::Message* message) {
+  // What is wrong with a file is said once, in the status.
+  const google::protobuf::LogSilencer silencer;
   const auto size = static_cast<int>(bytes.size());
   CodedInputStream input(reinterpret_cast<const uint8_t*>(bytes.data()), size);
   MemoryBudget budget(kAllowedRatio * size + kAllowedSlack);
