@@ -112,14 +112,15 @@ void AddLabelNoise(const proto::LabelNoiseOptions& options, uint64_t seed, int s
     const uint64_t period =
         (scan + patch % options.persistence_scans()) / options.persistence_scans();
     Random random(seed, Purpose::kLabel, patch, period);
-    const double spread = random.Uniform();
-    const double chance = border[i] != 0 ? at_border : spread * largest;
+    const double of_patch = largest * random.Uniform();
+    const bool blurred = border[i] != 0 && at_border > of_patch;
+    const double chance = blurred ? at_border : of_patch;
     const bool mistaken = random.Chance(chance);
     point.certainty = static_cast<float>(1. - chance);
     if (!mistaken) continue;
     const std::vector<uint16_t> others = Confusions(point.label);
     const int pick = std::min(random.Index(4), random.Index(3));
-    point.label = border[i] != 0 ? border[i] : others[std::min<size_t>(pick, others.size() - 1)];
+    point.label = blurred ? border[i] : others[std::min<size_t>(pick, others.size() - 1)];
   }
 }
 

@@ -66,9 +66,10 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
   {
     double squares = 0.;
     constexpr int kDevices = 300;
+    const proto::SimulationOptions options =
+        SmallOptions(none + "options.errors.beam_elevation_deg = 0.1");
     for (int seed = 0; seed < kDevices; ++seed) {
-      const Lidar lidar =
-          SmallLidar(none + "options.errors.beam_elevation_deg = 0.1", static_cast<uint64_t>(seed));
+      const Lidar lidar(options.lidars(0), options.errors(), static_cast<uint64_t>(seed));
       const Bearing nominal = lidar.Nominal(5, 0);
       squares += std::pow((lidar.True(5, nominal).elevation - nominal.elevation) / kDeg, 2);
     }

@@ -51,7 +51,9 @@ TEST(PathTest, DrivesWithinItsLimits) {
     const double speed = kRate_hz * (poses[i].position - poses[i - 1].position).norm();
     fastest = std::max(fastest, speed);
     slowest = std::min(slowest, speed);
-    if (last >= 0.) EXPECT_LE(std::abs(speed - last) * kRate_hz, 2. * 1.5) << i;
+    if (last >= 0.) {
+      EXPECT_LE(std::abs(speed - last) * kRate_hz, 2. * 1.5) << i;
+    }
     last = speed;
   }
   EXPECT_NEAR(fastest, 12., 0.1);

@@ -68,7 +68,9 @@ TEST_P(PrimitiveTest, IntersectionAgreesWithWalking) {
     }
     const auto stretch = Intersect(primitive, ray);
     if (first < 0.) {
-      if (stretch) EXPECT_LT(stretch->far - std::max(0., stretch->near), 0.06) << trial;
+      if (stretch) {
+        EXPECT_LT(stretch->far - std::max(0., stretch->near), 0.06) << trial;
+      }
       continue;
     }
     ++hits;

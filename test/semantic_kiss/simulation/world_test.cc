@@ -40,7 +40,7 @@ TEST(WorldTest, NothingStaticStandsOnTheDrivenWay) {
   for (const char* seed : {"1", "2", "3"}) {
     SCOPED_TRACE(seed);
     const std::string overrides = std::string("options.seed = ") + seed + "\n";
-    ExpectFreeWay(*SmallDrive(overrides + "options.route.length_m = 500."));
+    ExpectFreeWay(*SmallDrive(overrides + "options.route.length_m = 300."));
     ExpectFreeWay(
         *SmallDrive(overrides + "options.route.kind = 'loop' options.route.length_m = 400."));
     ExpectFreeWay(
