@@ -81,17 +81,16 @@ size_t NumLoopClosures(const map::Map& map) {
   });
 }
 
-// "16 scans · 11.7 m driven · 3 submaps · 2 loop closures"
+// "16 scans, 11.7 m driven, 3 submaps, 2 loop closures"
 std::string Facts(const map::Map& map) {
-  constexpr absl::string_view kDot = "  \u00b7  ";
   std::string facts;
   if (!map.nodes.empty()) {
-    absl::StrAppend(&facts, Count(map.nodes.size(), "scan"), kDot, LengthText(DrivenLength_m(map)),
-                    " driven", kDot);
+    absl::StrAppend(&facts, Count(map.nodes.size(), "scan"), ", ", LengthText(DrivenLength_m(map)),
+                    " driven, ");
   }
   absl::StrAppend(&facts, Count(map.submaps.size(), "submap"));
   const size_t closures = NumLoopClosures(map);
-  if (closures > 0) absl::StrAppend(&facts, kDot, Count(closures, "loop closure"));
+  if (closures > 0) absl::StrAppend(&facts, ", ", Count(closures, "loop closure"));
   return facts;
 }
 

@@ -90,7 +90,7 @@ void DrawTrajectories(const map::Map& map, const MapPlacement& placement, Canvas
 void DrawLoopClosures(const map::Map& map, const MapPlacement& placement, Canvas* canvas) {
   cairo_save(canvas->context());
   ClipToMap(placement, canvas);
-  canvas->SetColor(kLoopClosureColor, 0.8);
+  canvas->SetColor(kLoopClosureColor, 0.6);
   for (const map::Constraint& constraint : map.constraints) {
     if (constraint.kind != map::Constraint::Kind::kInterSubmap) continue;
     const auto node = map.nodes.find(constraint.node_id);
@@ -99,7 +99,7 @@ void DrawLoopClosures(const map::Map& map, const MapPlacement& placement, Canvas
     if (!node->second.map_from_node.IsFinite()) continue;
     Stroke({OnCanvas(placement, node->second.map_from_node.translation()),
             OnCanvas(placement, submap->second.map_from_submap.translation())},
-           0.6 * placement.line_px, canvas);
+           0.5 * placement.line_px, canvas);
   }
   cairo_restore(canvas->context());
 }

@@ -76,6 +76,24 @@ Interval InnerRange(std::vector<double> values, double crop) {
   return {min, *high};
 }
 
+// Widens the intervals so that all nodes are inside with some room around them.
+void AddTrajectories(const map::Map& map, Interval* x, Interval* y) {
+  constexpr double kMargin = 0.1;  // of the longer side of the box around all nodes
+  constexpr double kMinMargin_m = 3., kMaxMargin_m = 20.;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Interval nodes_x{kInfinity, -kInfinity}, nodes_y{kInfinity, -kInfinity};
+  for (const auto& [id, node] : map.nodes) {
+    if (!node.map_from_node.IsFinite()) continue;
+    nodes_x.Add(node.map_from_node.translation().x(), 0.);
+    nodes_y.Add(node.map_from_node.translation().y(), 0.);
+  }
+  if (nodes_x.min > nodes_x.max) return;
+  const double margin_m = std::clamp(kMargin * std::max(nodes_x.Length(), nodes_y.Length()),
+                                     kMinMargin_m, kMaxMargin_m);
+  x->Add(nodes_x.min, margin_m), x->Add(nodes_x.max, margin_m);
+  y->Add(nodes_y.min, margin_m), y->Add(nodes_y.max, margin_m);
+}
+
 double FinestResolution(const map::Map& map) {
   double finest_m = std::numeric_limits<double>::infinity();
   for (const auto& [id, placed] : map.submaps) {
@@ -115,12 +133,7 @@ absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask
   Interval y = InnerRange(centers.y, options.crop_share);
   x.Add(x.min, centers.half_diagonal_m), x.Add(x.max, centers.half_diagonal_m);
   y.Add(y.min, centers.half_diagonal_m), y.Add(y.max, centers.half_diagonal_m);
-  constexpr double kPathMargin_m = 20.;
-  for (const auto& [id, node] : map.nodes) {
-    if (!node.map_from_node.IsFinite()) continue;
-    x.Add(node.map_from_node.translation().x(), kPathMargin_m);
-    y.Add(node.map_from_node.translation().y(), kPathMargin_m);
-  }
+  AddTrajectories(map, &x, &y);
   RasterFrame frame;
   const double wanted_m =
       options.resolution_m > 0. ? options.resolution_m : 0.5 * FinestResolution(map);

@@ -14,9 +14,9 @@
 
 #include "cartographer/io/raster_shading.h"
 #include "glog/logging.h"
-#include "tbb/task_arena.h"
 #include "test/cartographer/io/decoded_png.h"
 #include "test/cartographer/io/map_sketch.h"
+#include "test/cartographer/io/on_threads.h"
 
 namespace cartographer::io {
 namespace {
@@ -162,9 +162,8 @@ proto::RenderOptions FullOptions() {
 
 TEST(MapImageTest, BytesDoNotDependOnThreads) {
   const map::Map map = RichMap();
-  std::string one, four;
-  tbb::task_arena(1).execute([&] { one = *RenderMapImage(map, FullOptions()); });
-  tbb::task_arena(4).execute([&] { four = *RenderMapImage(map, FullOptions()); });
+  const auto one = OnThreads(1, [&] { return *RenderMapImage(map, FullOptions()); });
+  const auto four = OnThreads(4, [&] { return *RenderMapImage(map, FullOptions()); });
   EXPECT_TRUE(one == four);
   EXPECT_GT(one.size(), 10000);
 }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <random>
 
-#include "tbb/task_arena.h"
 #include "test/cartographer/io/map_sketch.h"
+#include "test/cartographer/io/on_threads.h"
 
 namespace cartographer::io {
 namespace {
@@ -128,9 +128,8 @@ TEST(FillGapsTest, ThreadsDoNotShow) {
       if (random() % 10 == 0) character = random() % 2 ? 'R' : 'S';
     }
   }
-  Sketch one, four;
-  tbb::task_arena(1).execute([&] { one = Filled(sketch, 6.); });
-  tbb::task_arena(4).execute([&] { four = Filled(sketch, 6.); });
+  const auto one = OnThreads(1, [&] { return Filled(sketch, 6.); });
+  const auto four = OnThreads(4, [&] { return Filled(sketch, 6.); });
   EXPECT_EQ(one, four);
 }
 

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tbb/task_arena.h"
 #include "test/cartographer/io/map_sketch.h"
+#include "test/cartographer/io/on_threads.h"
 
 namespace cartographer::io {
 namespace {
@@ -102,9 +102,8 @@ TEST(ShadeRasterTest, ShadowsDarkenGroundAndBackground) {
 TEST(ShadeRasterTest, ThreadsDoNotShow) {
   SemanticRaster raster = RasterFromSketch(Sketch(100, "RSBC.UPRSBC.U..BBB"));
   for (size_t i = 0; i < raster.hits.size(); ++i) raster.hits[i] *= 1.f + i % 97;
-  std::vector<uint32_t> one, four;
-  tbb::task_arena(1).execute([&] { one = Shade(raster, 0.5f); });
-  tbb::task_arena(4).execute([&] { four = Shade(raster, 0.5f); });
+  const auto one = OnThreads(1, [&] { return Shade(raster, 0.5f); });
+  const auto four = OnThreads(4, [&] { return Shade(raster, 0.5f); });
   EXPECT_EQ(one, four);
 }
 

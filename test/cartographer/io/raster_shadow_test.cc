@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <random>
 
-#include "tbb/task_arena.h"
 #include "test/cartographer/io/map_sketch.h"
+#include "test/cartographer/io/on_threads.h"
 
 namespace cartographer::io {
 namespace {
@@ -93,9 +93,8 @@ TEST(CastShadowsTest, ThreadsDoNotShow) {
     }
     AddSubmap(submap, transform::Rigid3d(), &map);
   }
-  std::vector<float> one, four;
-  tbb::task_arena(1).execute([&] { one = CastShadows(map, {}, kFrame); });
-  tbb::task_arena(4).execute([&] { four = CastShadows(map, {}, kFrame); });
+  const auto one = OnThreads(1, [&] { return CastShadows(map, {}, kFrame); });
+  const auto four = OnThreads(4, [&] { return CastShadows(map, {}, kFrame); });
   EXPECT_EQ(one, four);
 }
 

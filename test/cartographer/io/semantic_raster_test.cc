@@ -10,8 +10,8 @@
 #include <numeric>
 #include <random>
 
-#include "tbb/task_arena.h"
 #include "test/cartographer/io/map_sketch.h"
+#include "test/cartographer/io/on_threads.h"
 
 namespace cartographer::io {
 namespace {
@@ -181,9 +181,8 @@ TEST(SemanticRasterTest, ThreadsDoNotShow) {
   std::mt19937 random(7);
   const map::Map map = RandomMap(&random);
   const RasterFrame frame = WholeFrame(map, 0.03);
-  SemanticRaster one, four;
-  tbb::task_arena(1).execute([&] { one = ComposeRaster(map, {}, frame); });
-  tbb::task_arena(4).execute([&] { four = ComposeRaster(map, {}, frame); });
+  const auto one = OnThreads(1, [&] { return ComposeRaster(map, {}, frame); });
+  const auto four = OnThreads(4, [&] { return ComposeRaster(map, {}, frame); });
   EXPECT_EQ(one.labels, four.labels);
   EXPECT_EQ(one.hits, four.hits);
 }

@@ -227,7 +227,10 @@ TEST_F(TrajectoryFilesTest, WritingWhereNoDirectoryIsFails) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("none"));
 }
 
-TEST_F(TrajectoryFilesTest, TumNeedsATimeForEachPose) {
+// Named so that it runs before other tests have started threads, which fork() does not like.
+using TrajectoryFilesDeathTest = TrajectoryFilesTest;
+
+TEST_F(TrajectoryFilesDeathTest, TumNeedsATimeForEachPose) {
   EXPECT_DEATH((void)WriteTumPoses(PathOf("t.txt"), {}, {Rigid3d()}), "times");
 }
 
