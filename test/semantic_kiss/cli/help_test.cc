@@ -60,7 +60,7 @@ TEST(HelpTest, CommandHelpShowsGroupsDefaultsAndExamples) {
   EXPECT_THAT(help, HasSubstr("[default: all cores]"));
   EXPECT_THAT(help, HasSubstr("[required]"));
   EXPECT_THAT(help, HasSubstr("\nExamples\n"));
-  EXPECT_THAT(help, Not(HasSubstr("--ground_truth=FILE"))) << "that is another command's";
+  EXPECT_THAT(help, Not(HasSubstr("--estimate=FILE"))) << "that is another command's";
 }
 
 // Examples are to be copied, so they are not broken; all else keeps within the terminal.
