@@ -139,6 +139,16 @@ class BudgetsTest(CheckTest):
         self.assert_finds("check_budgets.py", "cartographer/common/time.h:1", "SPDX")
 
 
+class LinksTest(CheckTest):
+    def test_there(self):
+        self.plant("docs/a.md", "[b](../cartographer/common/time.h) [c](https://x.org/y) [d](#e)\n")
+        self.assert_passes("check_links.py")
+
+    def test_missing(self):
+        self.plant("docs/a.md", "[fine](a.md#top)\n![gone](images/gone.png)\n")
+        self.assert_finds("check_links.py", "docs/a.md:3", "images/gone.png")
+
+
 class FormatTest(CheckTest):
     def setUp(self):
         super().setUp()
