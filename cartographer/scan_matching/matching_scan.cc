@@ -1,0 +1,118 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/scan_matching/matching_scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace cartographer::scan_matching {
+namespace {
+
+// Fine enough that points in one cell of any usual grid are near each other on the curve.
+constexpr float kCurveStep_m = 0.1f;
+constexpr int64_t kMaxTotalWeight =
+    std::numeric_limits<int32_t>::max() / ScoreModel::kFullAgreement;
+
+// The bits of `value` moved apart, so that those of another number fit in between.
+uint64_t SpreadBits(uint32_t value) {
+  uint64_t bits = value;
+  bits = (bits | bits << 16) & 0x0000ffff0000ffffu;
+  bits = (bits | bits << 8) & 0x00ff00ff00ff00ffu;
+  bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fu;
+  bits = (bits | bits << 2) & 0x3333333333333333u;
+  return (bits | bits << 1) & 0x5555555555555555u;
+}
+
+// Place along a Z-shaped curve through the plane; |coordinates| <= 1000 m, as options bound them.
+uint64_t PlaceOnCurve(const Eigen::Vector2f& position) {
+  constexpr float kOffset = 1 << 20;
+  const auto step = [](float x) { return static_cast<uint32_t>(x / kCurveStep_m + kOffset); };
+  return SpreadBits(step(position.y())) << 1 | SpreadBits(step(position.x()));
+}
+
+// std::floor without the library call that it costs on plain x86-64.
+int FloorToInt(float value) {
+  const int truncated = static_cast<int>(value);
+  return truncated - (value < static_cast<float>(truncated) ? 1 : 0);
+}
+
+}  // namespace
+
+MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model) {
+  struct Place {
+    int layer;
+    uint64_t on_curve;
+    uint32_t index;
+    bool operator<(const Place& other) const {
+      return std::tie(layer, on_curve, index) < std::tie(other.layer, other.on_curve, other.index);
+    }
+  };
+  std::vector<Place> places;
+  places.reserve(cloud.size());
+  float max_squared_range = 0.f;
+  const float max_range = static_cast<float>(model.max_range_m());
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    const int layer = model.LayerOf(cloud.labels[i]);
+    const Eigen::Vector2f position = cloud.positions[i].head<2>();
+    const float squared_range = position.squaredNorm();
+    // Written so that what is not a number is out of range, too.
+    const bool in_range = squared_range <= max_range * max_range;
+    if (layer == ScoreModel::kNotMatched || !in_range || !cloud.positions[i].allFinite()) continue;
+    max_squared_range = std::max(max_squared_range, squared_range);
+    places.push_back({layer, PlaceOnCurve(position), static_cast<uint32_t>(i)});
+  }
+  std::sort(places.begin(), places.end());
+  points_.reserve(places.size());
+  for (const Place& place : places) {
+    const int weight = model.WeightOf(cloud.labels[place.index]);
+    points_.push_back({cloud.positions[place.index].head<2>(), place.layer, weight});
+    total_weight_ += weight;
+  }
+  radius_m_ = std::sqrt(static_cast<double>(max_squared_range));
+  for (size_t step = 2; total_weight_ > kMaxTotalWeight; ++step) Thin(step);
+}
+
+void MatchingScan::Thin(size_t step) {
+  size_t kept = 0;
+  total_weight_ = 0;
+  for (size_t i = 0; i < points_.size(); i += step) {
+    points_[kept++] = points_[i];
+    total_weight_ += points_[i].weight;
+  }
+  points_.resize(kept);
+}
+
+std::vector<ScanCell> MatchingScan::CellsAt(const PlanarPose& grid_from_node,
+                                            double resolution_m) const {
+  const double scale = 1. / resolution_m;
+  const auto cosine = static_cast<float>(std::cos(grid_from_node.yaw_rad) * scale);
+  const auto sine = static_cast<float>(std::sin(grid_from_node.yaw_rad) * scale);
+  // Whole cells are added as integers: far from the grid's origin, single precision would blur
+  // them.
+  const Eigen::Array2d offset = grid_from_node.translation.array() * scale;
+  const Eigen::Array2i whole = offset.floor().cast<int>();
+  const Eigen::Array2f part = (offset - whole.cast<double>()).cast<float>();
+  std::vector<ScanCell> cells;
+  cells.reserve(points_.size());
+  for (const Point& point : points_) {
+    const float x = point.position.x(), y = point.position.y();
+    const submap::CellIndex cell(whole.x() + FloorToInt(cosine * x - sine * y + part.x()),
+                                 whole.y() + FloorToInt(sine * x + cosine * y + part.y()));
+    if (!cells.empty()) {
+      ScanCell& last = cells.back();
+      if (last.layer == point.layer && last.cell.x() == cell.x() && last.cell.y() == cell.y() &&
+          last.weight + point.weight <= kMaxCellWeight) {
+        last.weight += point.weight;
+        continue;
+      }
+    }
+    cells.push_back({cell, point.layer, point.weight});
+  }
+  return cells;
+}
+
+}  // namespace cartographer::scan_matching

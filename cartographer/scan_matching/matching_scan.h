@@ -1,0 +1,66 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef CARTOGRAPHER_SCAN_MATCHING_MATCHING_SCAN_H_
+#define CARTOGRAPHER_SCAN_MATCHING_MATCHING_SCAN_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "cartographer/scan_matching/planar_pose.h"
+#include "cartographer/scan_matching/score_model.h"
+#include "cartographer/sensor/labeled_point_cloud.h"
+#include "cartographer/submap/semantic_grid.h"
+
+namespace cartographer::scan_matching {
+
+// Points of a scan that fall into one cell and are of one layer.
+struct ScanCell {
+  submap::CellIndex cell;
+  int layer;
+  int weight;  // sum over the points, <= kMaxCellWeight
+};
+inline constexpr int kMaxCellWeight = 32767;
+
+// A node's cloud made ready to be matched with any number of submaps: the points that count, in the
+// plane, ordered by layer and within a layer along a space-filling curve. Points that are
+// neighbours in space are then neighbours in memory, at every heading: their look-ups hit the same
+// cache lines, and those that share a cell follow each other.
+class MatchingScan {
+ public:
+  // `cloud` is in the node's frame, which must be level (z up along gravity). Points without a
+  // layer, beyond the model's max_range_m or with a coordinate that is not finite are left out.
+  // Sums are 32 bits wide: of scans with a total weight above 131 000 only every second (third,
+  // ...) point along the curve is kept.
+  MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model);
+
+  bool empty() const { return points_.empty(); }
+  size_t size() const { return points_.size(); }
+  // The denominator of the score, in steps of 1/64; > 0 unless empty.
+  int64_t total_weight() const { return total_weight_; }
+  // Distance of the farthest point [m]; 0 if empty.
+  double radius_m() const { return radius_m_; }
+
+  // The cells of the points in a grid whose cells are `resolution_m` wide, ascending by layer. A
+  // cell may be listed more than once; weights add up to total_weight().
+  std::vector<ScanCell> CellsAt(const PlanarPose& grid_from_node, double resolution_m) const;
+
+ private:
+  struct Point {
+    Eigen::Vector2f position;  // [m], node's frame
+    int layer;
+    int weight;
+  };
+
+  // Keeps every `step`-th point.
+  void Thin(size_t step);
+
+  std::vector<Point> points_;
+  int64_t total_weight_ = 0;
+  double radius_m_ = 0.;
+};
+
+}  // namespace cartographer::scan_matching
+
+#endif  // CARTOGRAPHER_SCAN_MATCHING_MATCHING_SCAN_H_
