@@ -15,10 +15,11 @@
 
 namespace cartographer::scan_matching {
 
-void SumBlockPortably(const uint8_t* bytes, int stride, int side,
-                      const std::vector<Lookup>& lookups, int32_t* sums) {
+void SumBlockPortably(const uint8_t* bytes, int stride, int side, const Lookup* lookups,
+                      size_t num_lookups, int32_t* sums) {
   std::fill(sums, sums + side * side, 0);
-  for (const Lookup& lookup : lookups) {
+  for (size_t i = 0; i < num_lookups; ++i) {
+    const Lookup& lookup = lookups[i];
     for (int y = 0; y < side; ++y) {
       const uint8_t* const row = bytes + lookup.offset + y * stride;
       for (int x = 0; x < side; ++x) sums[y * side + x] += lookup.weight * row[x];
@@ -36,11 +37,11 @@ __m128i WeightsOf(const Lookup* pair) {
 }
 
 // Four rows of eight shifts, beginning at row `first_row` of the block.
-void SumFourRowsOf8(const uint8_t* bytes, int stride, const std::vector<Lookup>& lookups,
+void SumFourRowsOf8(const uint8_t* bytes, int stride, const Lookup* lookups, size_t num_lookups,
                     int first_row, int32_t* sums) {
   const __m128i zero = _mm_setzero_si128();
   __m128i low[4] = {zero, zero, zero, zero}, high[4] = {zero, zero, zero, zero};
-  for (size_t i = 0; i < lookups.size(); i += 2) {
+  for (size_t i = 0; i < num_lookups; i += 2) {
     const __m128i weights = WeightsOf(&lookups[i]);
     const uint8_t* const a = bytes + lookups[i].offset + first_row * stride;
     const uint8_t* const b = bytes + lookups[i + 1].offset + first_row * stride;
@@ -65,11 +66,11 @@ __m128i LoadFour(const uint8_t* bytes) {
   return _mm_cvtsi32_si128(word);
 }
 
-void SumFourRowsOf4(const uint8_t* bytes, int stride, const std::vector<Lookup>& lookups,
+void SumFourRowsOf4(const uint8_t* bytes, int stride, const Lookup* lookups, size_t num_lookups,
                     int32_t* sums) {
   const __m128i zero = _mm_setzero_si128();
   __m128i rows[4] = {zero, zero, zero, zero};
-  for (size_t i = 0; i < lookups.size(); i += 2) {
+  for (size_t i = 0; i < num_lookups; i += 2) {
     const __m128i weights = WeightsOf(&lookups[i]);
     const uint8_t* const a = bytes + lookups[i].offset;
     const uint8_t* const b = bytes + lookups[i + 1].offset;
@@ -85,21 +86,21 @@ void SumFourRowsOf4(const uint8_t* bytes, int stride, const std::vector<Lookup>&
 
 }  // namespace
 
-void SumBlock(const uint8_t* bytes, int stride, int side, std::vector<Lookup>* lookups,
+void SumBlock(const uint8_t* bytes, int stride, int side, Lookup* lookups, size_t num_lookups,
               int32_t* sums) {
   CHECK(side == 4 || side == 8);
-  if (lookups->size() % 2 == 1) lookups->push_back({lookups->back().offset, 0});
-  if (side == 4) return SumFourRowsOf4(bytes, stride, *lookups, sums);
-  SumFourRowsOf8(bytes, stride, *lookups, 0, sums);
-  SumFourRowsOf8(bytes, stride, *lookups, 4, sums);
+  if (num_lookups % 2 == 1) lookups[num_lookups] = {lookups[num_lookups - 1].offset, 0};
+  if (side == 4) return SumFourRowsOf4(bytes, stride, lookups, num_lookups, sums);
+  SumFourRowsOf8(bytes, stride, lookups, num_lookups, 0, sums);
+  SumFourRowsOf8(bytes, stride, lookups, num_lookups, 4, sums);
 }
 
 #else
 
-void SumBlock(const uint8_t* bytes, int stride, int side, std::vector<Lookup>* lookups,
+void SumBlock(const uint8_t* bytes, int stride, int side, Lookup* lookups, size_t num_lookups,
               int32_t* sums) {
   CHECK(side == 4 || side == 8);
-  SumBlockPortably(bytes, stride, side, *lookups, sums);
+  SumBlockPortably(bytes, stride, side, lookups, num_lookups, sums);
 }
 
 #endif

@@ -47,12 +47,9 @@ struct Problem {
   int log2_window(int level) const { return pyramid.level(level).log2_window(); }
   int32_t Threshold() const { return std::max(min_score, shared->Get()); }
 
-  // The scan's cells at the space's first shift.
-  std::vector<ScanCell> CellsAt(size_t yaw) const {
-    std::vector<ScanCell> cells =
-        scan.CellsAt(space.PoseAt(yaw, {0, 0}, resolution_m), resolution_m);
-    for (ScanCell& cell : cells) cell.cell += space.first_shift;
-    return cells;
+  // The scan's cells at shift (0, 0).
+  ScanCells CellsAt(size_t yaw) const {
+    return scan.CellsAt(space.PoseAt(yaw, {0, 0}, resolution_m), resolution_m);
   }
 };
 
@@ -60,7 +57,8 @@ struct Problem {
 class YawSearch {
  public:
   YawSearch(const Problem& problem, size_t yaw)
-      : problem_(problem), scan_(problem.pyramid, problem.CellsAt(yaw)) {}
+      : problem_(problem),
+        scan_(problem.pyramid, problem.CellsAt(yaw), problem.space.first_shift) {}
 
   // The blocks of the top level that may win, best first.
   std::vector<Block> TopBlocks() {

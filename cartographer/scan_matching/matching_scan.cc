@@ -40,17 +40,28 @@ int FloorToInt(float value) {
   return truncated - (value < static_cast<float>(truncated) ? 1 : 0);
 }
 
+// A point's place in the order in which points are kept.
+struct Place {
+  int layer;
+  uint64_t on_curve;
+  uint32_t index;  // in the cloud
+  int weight;
+
+  bool operator<(const Place& other) const {
+    return std::tie(layer, on_curve, index) < std::tie(other.layer, other.on_curve, other.index);
+  }
+};
+
+// Of every step-th point.
+int64_t TotalWeight(const std::vector<Place>& places, size_t step) {
+  int64_t sum = 0;
+  for (size_t i = 0; i < places.size(); i += step) sum += places[i].weight;
+  return sum;
+}
+
 }  // namespace
 
 MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model) {
-  struct Place {
-    int layer;
-    uint64_t on_curve;
-    uint32_t index;
-    bool operator<(const Place& other) const {
-      return std::tie(layer, on_curve, index) < std::tie(other.layer, other.on_curve, other.index);
-    }
-  };
   std::vector<Place> places;
   places.reserve(cloud.size());
   float max_squared_range = 0.f;
@@ -63,31 +74,26 @@ MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreMo
     const bool in_range = squared_range <= max_range * max_range;
     if (layer == ScoreModel::kNotMatched || !in_range || !cloud.positions[i].allFinite()) continue;
     max_squared_range = std::max(max_squared_range, squared_range);
-    places.push_back({layer, PlaceOnCurve(position), static_cast<uint32_t>(i)});
+    places.push_back(
+        {layer, PlaceOnCurve(position), static_cast<uint32_t>(i), model.WeightOf(cloud.labels[i])});
   }
   std::sort(places.begin(), places.end());
-  points_.reserve(places.size());
-  for (const Place& place : places) {
-    const int weight = model.WeightOf(cloud.labels[place.index]);
-    points_.push_back({cloud.positions[place.index].head<2>(), place.layer, weight});
-    total_weight_ += weight;
+  // Sums are 32 bits wide.
+  size_t step = 1;
+  while (TotalWeight(places, step) > kMaxTotalWeight) ++step;
+  for (size_t i = 0; i < places.size(); i += step) {
+    const Place& place = places[i];
+    if (layers_.empty() || layers_.back().layer != place.layer) {
+      layers_.push_back({place.layer, points_.size(), points_.size()});
+    }
+    points_.push_back({cloud.positions[place.index].head<2>(), place.weight});
+    layers_.back().end = points_.size();
   }
+  total_weight_ = TotalWeight(places, step);
   radius_m_ = std::sqrt(static_cast<double>(max_squared_range));
-  for (size_t step = 2; total_weight_ > kMaxTotalWeight; ++step) Thin(step);
 }
 
-void MatchingScan::Thin(size_t step) {
-  size_t kept = 0;
-  total_weight_ = 0;
-  for (size_t i = 0; i < points_.size(); i += step) {
-    points_[kept++] = points_[i];
-    total_weight_ += points_[i].weight;
-  }
-  points_.resize(kept);
-}
-
-std::vector<ScanCell> MatchingScan::CellsAt(const PlanarPose& grid_from_node,
-                                            double resolution_m) const {
+ScanCells MatchingScan::CellsAt(const PlanarPose& grid_from_node, double resolution_m) const {
   const double scale = 1. / resolution_m;
   const auto cosine = static_cast<float>(std::cos(grid_from_node.yaw_rad) * scale);
   const auto sine = static_cast<float>(std::sin(grid_from_node.yaw_rad) * scale);
@@ -96,23 +102,29 @@ std::vector<ScanCell> MatchingScan::CellsAt(const PlanarPose& grid_from_node,
   const Eigen::Array2d offset = grid_from_node.translation.array() * scale;
   const Eigen::Array2i whole = offset.floor().cast<int>();
   const Eigen::Array2f part = (offset - whole.cast<double>()).cast<float>();
-  std::vector<ScanCell> cells;
-  cells.reserve(points_.size());
-  for (const Point& point : points_) {
-    const float x = point.position.x(), y = point.position.y();
-    const submap::CellIndex cell(whole.x() + FloorToInt(cosine * x - sine * y + part.x()),
-                                 whole.y() + FloorToInt(sine * x + cosine * y + part.y()));
-    if (!cells.empty()) {
-      ScanCell& last = cells.back();
-      if (last.layer == point.layer && last.cell.x() == cell.x() && last.cell.y() == cell.y() &&
-          last.weight + point.weight <= kMaxCellWeight) {
-        last.weight += point.weight;
-        continue;
-      }
+  ScanCells result;
+  result.cells.resize(points_.size());
+  ScanCell* const cells = result.cells.data();
+  size_t size = 0;
+  for (const Layer& layer : layers_) {
+    const size_t begin = size;
+    ScanCell last{std::numeric_limits<int>::min(), 0, 0};
+    for (size_t i = layer.begin; i < layer.end; ++i) {
+      const float x = points_[i].position.x(), y = points_[i].position.y();
+      const ScanCell next{whole.x() + FloorToInt(cosine * x - sine * y + part.x()),
+                          whole.y() + FloorToInt(sine * x + cosine * y + part.y()),
+                          points_[i].weight};
+      // Without a branch: whether neighbours share a cell is anyone's guess.
+      const bool same =
+          (next.x == last.x) & (next.y == last.y) & (last.weight + next.weight <= kMaxCellWeight);
+      last = {next.x, next.y, next.weight + (same ? last.weight : 0)};
+      size += same ? 0 : 1;
+      cells[size - 1] = last;
     }
-    cells.push_back({cell, point.layer, point.weight});
+    result.layers.push_back({layer.layer, begin, size});
   }
-  return cells;
+  result.cells.resize(size);
+  return result;
 }
 
 }  // namespace cartographer::scan_matching

@@ -5,6 +5,7 @@
 #define CARTOGRAPHER_SCAN_MATCHING_MATCHING_SCAN_H_
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,11 +18,20 @@ namespace cartographer::scan_matching {
 
 // Points of a scan that fall into one cell and are of one layer.
 struct ScanCell {
-  submap::CellIndex cell;
-  int layer;
+  int x, y;
   int weight;  // sum over the points, <= kMaxCellWeight
 };
 inline constexpr int kMaxCellWeight = 32767;
+
+// Cells in which the points of a scan are. A cell may be listed more than once.
+struct ScanCells {
+  struct Layer {
+    int layer;
+    size_t begin, end;  // in `cells`
+  };
+  std::vector<ScanCell> cells;
+  std::vector<Layer> layers;  // none of them empty, ascending
+};
 
 // A node's cloud made ready to be matched with any number of submaps: the points that count, in the
 // plane, ordered by layer and within a layer along a space-filling curve. Points that are
@@ -42,21 +52,22 @@ class MatchingScan {
   // Distance of the farthest point [m]; 0 if empty.
   double radius_m() const { return radius_m_; }
 
-  // The cells of the points in a grid whose cells are `resolution_m` wide, ascending by layer. A
-  // cell may be listed more than once; weights add up to total_weight().
-  std::vector<ScanCell> CellsAt(const PlanarPose& grid_from_node, double resolution_m) const;
+  // The cells of the points in a grid whose cells are `resolution_m` wide; their weights add up to
+  // total_weight().
+  ScanCells CellsAt(const PlanarPose& grid_from_node, double resolution_m) const;
 
  private:
   struct Point {
     Eigen::Vector2f position;  // [m], node's frame
-    int layer;
     int weight;
   };
-
-  // Keeps every `step`-th point.
-  void Thin(size_t step);
+  struct Layer {
+    int layer;
+    size_t begin, end;  // in points_
+  };
 
   std::vector<Point> points_;
+  std::vector<Layer> layers_;
   int64_t total_weight_ = 0;
   double radius_m_ = 0.;
 };

@@ -3,12 +3,18 @@
 
 #include "cartographer/scan_matching/scan_at_yaw.h"
 
+#include <limits>
 #include <utility>
 
 namespace cartographer::scan_matching {
 
-ScanAtYaw::ScanAtYaw(const ScorePyramid& pyramid, std::vector<ScanCell> cells)
-    : pyramid_(pyramid), cells_(std::move(cells)), levels_(pyramid.num_levels()) {}
+ScanAtYaw::ScanAtYaw(const ScorePyramid& pyramid, ScanCells cells,
+                     const submap::CellIndex& first_shift)
+    : pyramid_(pyramid),
+      cells_(std::move(cells)),
+      first_shift_(first_shift),
+      levels_(pyramid.num_levels()),
+      lookups_(cells_.cells.size() + 1) {}
 
 const ScanAtYaw::LevelPoints& ScanAtYaw::PointsOf(int level) {
   if (levels_[level].points.empty()) levels_[level] = MakePoints(level);
@@ -18,33 +24,37 @@ const ScanAtYaw::LevelPoints& ScanAtYaw::PointsOf(int level) {
 ScanAtYaw::LevelPoints ScanAtYaw::MakePoints(int level) const {
   const PyramidLevel& pyramid_level = pyramid_.level(level);
   LevelPoints result;
-  result.points.reserve(cells_.size());
-  int last_plane = -1;
-  for (const ScanCell& cell : cells_) {
-    const int plane = pyramid_.PlaneOf(level, cell.layer);
-    const auto place = pyramid_level.PlaceOf(plane, cell.cell);
-    if (plane != last_plane) {
-      result.planes.push_back({plane, result.points.size(), result.points.size()});
-      last_plane = plane;
-    } else {
-      LevelPoint& last = result.points.back();
-      if (last.x == place.x && last.y == place.y && last.phase_offset == place.phase_offset &&
-          last.weight + cell.weight <= kMaxCellWeight) {
-        last.weight += cell.weight;
-        continue;
-      }
+  result.points.resize(cells_.cells.size());
+  LevelPoint* const points = result.points.data();
+  size_t size = 0;
+  for (const ScanCells::Layer& layer : cells_.layers) {
+    const int plane = pyramid_.PlaneOf(level, layer.layer);
+    if (result.planes.empty() || result.planes.back().plane != plane) {
+      result.planes.push_back({plane, size, size});
     }
-    result.points.push_back({place.x, place.y, place.phase_offset, cell.weight});
-    result.planes.back().end = result.points.size();
+    LevelPoint last{std::numeric_limits<int>::min(), 0, 0, 0};
+    for (size_t i = layer.begin; i < layer.end; ++i) {
+      const ScanCell& cell = cells_.cells[i];
+      const auto place =
+          pyramid_level.PlaceOf(plane, {cell.x + first_shift_.x(), cell.y + first_shift_.y()});
+      // Without a branch, as in MatchingScan::CellsAt.
+      const bool same = (last.x == place.x) & (last.y == place.y) &
+                        (last.phase_offset == place.phase_offset) &
+                        (last.weight + cell.weight <= kMaxCellWeight);
+      last = {place.x, place.y, place.phase_offset, cell.weight + (same ? last.weight : 0)};
+      size += same ? 0 : 1;
+      points[size - 1] = last;
+    }
+    result.planes.back().end = size;
   }
+  result.points.resize(size);
   return result;
 }
 
-void ScanAtYaw::LookUp(int level, const submap::CellIndex& first_block) {
+size_t ScanAtYaw::LookUp(int level, const submap::CellIndex& first_block) {
   const LevelPoints& level_points = PointsOf(level);
   const PyramidLevel& pyramid_level = pyramid_.level(level);
   const uint32_t stride = pyramid_level.stride();
-  lookups_.resize(level_points.points.size() + 1);
   Lookup* next = lookups_.data();
   for (const PlanePoints& plane : level_points.planes) {
     const PyramidLevel::Window window = pyramid_level.WindowOf(plane.plane);
@@ -61,14 +71,14 @@ void ScanAtYaw::LookUp(int level, const submap::CellIndex& first_block) {
           static_cast<int>(column < window.num_columns) & static_cast<int>(row < window.num_rows);
     }
   }
-  lookups_.resize(next - lookups_.data());
+  return next - lookups_.data();
 }
 
 void ScanAtYaw::SumBlocks(int level, const submap::CellIndex& first_block, int side,
                           int32_t* sums) {
-  LookUp(level, first_block);
+  const size_t num_lookups = LookUp(level, first_block);
   const PyramidLevel& pyramid_level = pyramid_.level(level);
-  SumBlock(pyramid_level.bytes(), pyramid_level.stride(), side, &lookups_, sums);
+  SumBlock(pyramid_level.bytes(), pyramid_level.stride(), side, lookups_.data(), num_lookups, sums);
 }
 
 }  // namespace cartographer::scan_matching

@@ -17,8 +17,8 @@ namespace cartographer::scan_matching {
 // level it prepares when that is first asked for. For one thread; `pyramid` must outlive it.
 class ScanAtYaw {
  public:
-  // `cells`: where the points are at shift (0, 0), ascending by layer (MatchingScan::CellsAt).
-  ScanAtYaw(const ScorePyramid& pyramid, std::vector<ScanCell> cells);
+  // `cells`: where the points are at shift (0, 0); blocks are counted from `first_shift`.
+  ScanAtYaw(const ScorePyramid& pyramid, ScanCells cells, const submap::CellIndex& first_shift);
 
   // sums[y * side + x]: sum over the points of weight * bound of the level's block
   // (first_block.x + x, first_block.y + y), in steps of 1/255 of 1/64. `side` is 4 or 8.
@@ -42,11 +42,12 @@ class ScanAtYaw {
 
   const LevelPoints& PointsOf(int level);
   LevelPoints MakePoints(int level) const;
-  // The points that a square of blocks may touch, into lookups_.
-  void LookUp(int level, const submap::CellIndex& first_block);
+  // The points that a square of blocks may touch, into lookups_. Returns their number.
+  size_t LookUp(int level, const submap::CellIndex& first_block);
 
   const ScorePyramid& pyramid_;
-  const std::vector<ScanCell> cells_;
+  const ScanCells cells_;
+  const submap::CellIndex first_shift_;
   std::vector<LevelPoints> levels_;
   std::vector<Lookup> lookups_;
 };

@@ -20,6 +20,15 @@ struct LevelShape {
 // measurement (test/benchmark/scan_matching_benchmark.cc).
 constexpr LevelShape kLevels[] = {{0, 0}, {3, 3}, {5, 3}, {7, 3}};
 
+// Copies the pixels begin, begin + step, ... before end.
+void CopyEvery(int step, const uint8_t* begin, const uint8_t* end, uint8_t* target) {
+  if (step == 1) {
+    std::copy(begin, end, target);
+    return;
+  }
+  for (const uint8_t* pixel = begin; pixel < end; pixel += step) *target++ = *pixel;
+}
+
 // The maximum over the layers of each group.
 std::vector<ByteImage> GroupMaxima(const std::vector<ByteImage>& layers, const ScoreModel& model) {
   std::vector<ByteImage> groups;
@@ -81,11 +90,9 @@ void PyramidLevel::AddPlane(const ByteImage& maxima) {
       const int phase = (y & (phases - 1)) * phases + phase_x;
       uint8_t* const target = &bytes_[plane.begin + phase * plane.rows * columns_ +
                                       (block_of(y) - plane.first_row) * columns_];
-      const int first = maxima.x0 + ((phase_x - maxima.x0) & (phases - 1));
-      uint8_t* pixel = target + (block_of(first) - first_column_);
-      for (int x = first; x < maxima.x0 + maxima.width; x += phases) {
-        *pixel++ = source[x - maxima.x0];
-      }
+      const int first = (phase_x - maxima.x0) & (phases - 1);
+      CopyEvery(phases, source + first, source + maxima.width,
+                target + (block_of(maxima.x0 + first) - first_column_));
     }
   }
   planes_.push_back(plane);

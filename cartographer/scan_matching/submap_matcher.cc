@@ -55,9 +55,13 @@ std::optional<Match> SubmapMatcher::Find(const MatchingScan& scan, const SearchS
 double SubmapMatcher::ScoreAt(const MatchingScan& scan, const PlanarPose& submap_from_node) const {
   if (scan.empty()) return 0.;
   int64_t sum = 0;
-  for (const ScanCell& cell : scan.CellsAt(submap_from_node, resolution_m_)) {
-    sum += int64_t{cell.weight} *
-           pyramid_.level(0).BoundAt(pyramid_.PlaneOf(0, cell.layer), cell.cell, {0, 0});
+  const ScanCells at_pose = scan.CellsAt(submap_from_node, resolution_m_);
+  for (const ScanCells::Layer& layer : at_pose.layers) {
+    const int plane = pyramid_.PlaneOf(0, layer.layer);
+    for (size_t i = layer.begin; i < layer.end; ++i) {
+      const ScanCell& cell = at_pose.cells[i];
+      sum += int64_t{cell.weight} * pyramid_.level(0).BoundAt(plane, {cell.x, cell.y}, {0, 0});
+    }
   }
   return static_cast<double>(sum) / FullScore(scan);
 }

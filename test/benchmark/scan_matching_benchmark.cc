@@ -31,7 +31,7 @@ constexpr double kResolution_m = 0.2;
 // Half the side of the grid's box: about 546 x 540 cells.
 constexpr float kReach_m = 54.f;
 // About a thousand points are left of a scan.
-constexpr double kVoxelSize_m = 1.8;
+constexpr double kVoxelSize_m = 2.2;
 constexpr double kMinScore = 0.3;
 
 struct Scene {

@@ -25,8 +25,9 @@ TEST(BlockSumsTest, FastSumsEqualPlainOnes) {
         lookups.push_back({y * kStride + x, static_cast<int>(random() % 32768)});
       }
       std::vector<int32_t> expected(side * side), sums(side * side, -1);
-      SumBlockPortably(bytes.data(), kStride, side, lookups, expected.data());
-      SumBlock(bytes.data(), kStride, side, &lookups, sums.data());
+      SumBlockPortably(bytes.data(), kStride, side, lookups.data(), num_lookups, expected.data());
+      lookups.push_back({});
+      SumBlock(bytes.data(), kStride, side, lookups.data(), num_lookups, sums.data());
       EXPECT_EQ(sums, expected);
     }
   }
@@ -36,7 +37,7 @@ TEST(BlockSumsTest, TheLargestWeightsAndBytesDoNotOverflow) {
   const std::vector<uint8_t> bytes(64, 255);
   std::vector<Lookup> lookups(100, Lookup{0, 32767});
   std::vector<int32_t> sums(64);
-  SumBlock(bytes.data(), 8, 8, &lookups, sums.data());
+  SumBlock(bytes.data(), 8, 8, lookups.data(), 100, sums.data());
   EXPECT_EQ(sums, std::vector<int32_t>(64, 100 * 255 * 32767));
 }
 
@@ -44,7 +45,8 @@ TEST(BlockSumsTest, PlainSumsAreWhatTheHeaderSays) {
   std::vector<uint8_t> bytes(64);
   for (int i = 0; i < 64; ++i) bytes[i] = static_cast<uint8_t>(i);
   std::vector<int32_t> sums(16);
-  SumBlockPortably(bytes.data(), 10, 4, {{0, 2}, {5, 3}}, sums.data());
+  const Lookup lookups[] = {{0, 2}, {5, 3}};
+  SumBlockPortably(bytes.data(), 10, 4, lookups, 2, sums.data());
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) {
       EXPECT_EQ(sums[y * 4 + x], 2 * (10 * y + x) + 3 * (10 * y + x + 5));

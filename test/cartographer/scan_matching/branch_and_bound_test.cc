@@ -48,7 +48,7 @@ std::optional<BestPose> FindExhaustively(const proto::ScoreOptions& options,
       point.Append(scene.cloud, i);
       const auto cells = MatchingScan(point, SmallModel(options))
                              .CellsAt(space.PoseAt(yaw, {0, 0}, kResolution_m), kResolution_m);
-      points.emplace_back(cells.at(0).cell.x(), cells.at(0).cell.y(), label, weight);
+      points.emplace_back(cells.cells.at(0).x, cells.cells.at(0).y, label, weight);
     }
     for (int y = 0; y < space.num_shifts.y(); ++y) {
       for (int x = 0; x < space.num_shifts.x(); ++x) {

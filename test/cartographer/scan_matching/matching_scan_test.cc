@@ -38,7 +38,7 @@ TEST(MatchingScanTest, AnEmptyScanHasNoCells) {
   const MatchingScan scan({}, SmallModel(SmallOptions("dominant_label")));
   EXPECT_TRUE(scan.empty());
   EXPECT_EQ(scan.radius_m(), 0.);
-  EXPECT_TRUE(scan.CellsAt({}, 0.2).empty());
+  EXPECT_TRUE(scan.CellsAt({}, 0.2).cells.empty());
 }
 
 TEST(MatchingScanTest, PointsOfOneCellAreOneCellWithTheirWeight) {
@@ -49,13 +49,15 @@ TEST(MatchingScanTest, PointsOfOneCellAreOneCellWithTheirWeight) {
     AddPoint(2.31, 1.12, kBuilding, &cloud);
   }
   const auto cells = MatchingScan(cloud, model).CellsAt({{10., -5.}, M_PI / 2.}, 0.5);
-  ASSERT_EQ(cells.size(), 2);
-  for (const ScanCell& cell : cells) {
-    const bool is_pole = cell.layer == model.LayerOf(LabelAt(kPole));
-    EXPECT_EQ(cell.weight, is_pole ? 10 * 192 : 10 * 64);
+  ASSERT_EQ(cells.cells.size(), 2);
+  ASSERT_EQ(cells.layers.size(), 2);
+  for (const auto& [layer, begin, end] : cells.layers) {
+    ASSERT_EQ(end, begin + 1);
+    const bool is_pole = layer == model.LayerOf(LabelAt(kPole));
+    EXPECT_EQ(cells.cells[begin].weight, is_pole ? 10 * 192 : 10 * 64);
     // (2.31, 1.12) turned left is (-1.12, 2.31); then (8.88, -2.69) in cells of half a metre.
-    EXPECT_EQ(cell.cell.x(), 17);
-    EXPECT_EQ(cell.cell.y(), -6);
+    EXPECT_EQ(cells.cells[begin].x, 17);
+    EXPECT_EQ(cells.cells[begin].y, -6);
   }
 }
 
@@ -77,11 +79,15 @@ TEST(MatchingScanTest, CellsEqualThoseOfEachPointByItselfAndAscendByLayer) {
   }
   int last_layer = 0;
   int64_t total = 0;
-  for (const ScanCell& cell : scan.CellsAt(pose, 0.2)) {
-    EXPECT_GE(cell.layer, last_layer);
-    last_layer = cell.layer;
-    total += cell.weight;
-    found[{cell.layer, cell.cell.x(), cell.cell.y()}] += cell.weight;
+  const ScanCells cells = scan.CellsAt(pose, 0.2);
+  for (const auto& [layer, begin, end] : cells.layers) {
+    EXPECT_GE(layer, last_layer);
+    last_layer = layer;
+    for (size_t i = begin; i < end; ++i) {
+      const ScanCell& cell = cells.cells[i];
+      total += cell.weight;
+      found[{layer, cell.x, cell.y}] += cell.weight;
+    }
   }
   EXPECT_EQ(found, expected);
   EXPECT_EQ(total, scan.total_weight());
@@ -92,7 +98,7 @@ TEST(MatchingScanTest, WeightsOfACellStayWithinBounds) {
   for (int i = 0; i < 1000; ++i) AddPoint(0.1, 0.1, kPole, &cloud);
   const MatchingScan scan(cloud, SmallModel(SmallOptions("dominant_label")));
   int64_t total = 0;
-  for (const ScanCell& cell : scan.CellsAt({}, 0.5)) {
+  for (const ScanCell& cell : scan.CellsAt({}, 0.5).cells) {
     EXPECT_LE(cell.weight, kMaxCellWeight);
     total += cell.weight;
   }
