@@ -84,10 +84,12 @@ MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreMo
   for (size_t i = 0; i < places.size(); i += step) {
     const Place& place = places[i];
     if (layers_.empty() || layers_.back().layer != place.layer) {
-      layers_.push_back({place.layer, points_.size(), points_.size()});
+      layers_.push_back({place.layer, size(), size()});
     }
-    points_.push_back({cloud.positions[place.index].head<2>(), place.weight});
-    layers_.back().end = points_.size();
+    x_.push_back(cloud.positions[place.index].x());
+    y_.push_back(cloud.positions[place.index].y());
+    weights_.push_back(place.weight);
+    layers_.back().end = size();
   }
   total_weight_ = TotalWeight(places, step);
   radius_m_ = std::sqrt(static_cast<double>(max_squared_range));
@@ -102,28 +104,30 @@ ScanCells MatchingScan::CellsAt(const PlanarPose& grid_from_node, double resolut
   const Eigen::Array2d offset = grid_from_node.translation.array() * scale;
   const Eigen::Array2i whole = offset.floor().cast<int>();
   const Eigen::Array2f part = (offset - whole.cast<double>()).cast<float>();
+  // A loop of its own, for the compiler to do several points at a time.
+  std::vector<int> cells_x(size()), cells_y(size());
+  for (size_t i = 0; i < x_.size(); ++i) {
+    cells_x[i] = whole.x() + FloorToInt(cosine * x_[i] - sine * y_[i] + part.x());
+    cells_y[i] = whole.y() + FloorToInt(sine * x_[i] + cosine * y_[i] + part.y());
+  }
   ScanCells result;
-  result.cells.resize(points_.size());
+  result.cells.resize(size());
   ScanCell* const cells = result.cells.data();
-  size_t size = 0;
+  size_t num_cells = 0;
   for (const Layer& layer : layers_) {
-    const size_t begin = size;
+    const size_t begin = num_cells;
     ScanCell last{std::numeric_limits<int>::min(), 0, 0};
     for (size_t i = layer.begin; i < layer.end; ++i) {
-      const float x = points_[i].position.x(), y = points_[i].position.y();
-      const ScanCell next{whole.x() + FloorToInt(cosine * x - sine * y + part.x()),
-                          whole.y() + FloorToInt(sine * x + cosine * y + part.y()),
-                          points_[i].weight};
       // Without a branch: whether neighbours share a cell is anyone's guess.
-      const bool same =
-          (next.x == last.x) & (next.y == last.y) & (last.weight + next.weight <= kMaxCellWeight);
-      last = {next.x, next.y, next.weight + (same ? last.weight : 0)};
-      size += same ? 0 : 1;
-      cells[size - 1] = last;
+      const bool same = (cells_x[i] == last.x) & (cells_y[i] == last.y) &
+                        (last.weight + weights_[i] <= kMaxCellWeight);
+      last = {cells_x[i], cells_y[i], weights_[i] + (same ? last.weight : 0)};
+      num_cells += same ? 0 : 1;
+      cells[num_cells - 1] = last;
     }
-    result.layers.push_back({layer.layer, begin, size});
+    result.layers.push_back({layer.layer, begin, num_cells});
   }
-  result.cells.resize(size);
+  result.cells.resize(num_cells);
   return result;
 }
 

@@ -45,8 +45,8 @@ class MatchingScan {
   // ...) point along the curve is kept.
   MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model);
 
-  bool empty() const { return points_.empty(); }
-  size_t size() const { return points_.size(); }
+  bool empty() const { return weights_.empty(); }
+  size_t size() const { return weights_.size(); }
   // The denominator of the score, in steps of 1/64; > 0 unless empty.
   int64_t total_weight() const { return total_weight_; }
   // Distance of the farthest point [m]; 0 if empty.
@@ -57,16 +57,13 @@ class MatchingScan {
   ScanCells CellsAt(const PlanarPose& grid_from_node, double resolution_m) const;
 
  private:
-  struct Point {
-    Eigen::Vector2f position;  // [m], node's frame
-    int weight;
-  };
   struct Layer {
     int layer;
-    size_t begin, end;  // in points_
+    size_t begin, end;  // in the columns below
   };
 
-  std::vector<Point> points_;
+  std::vector<float> x_, y_;  // [m], node's frame
+  std::vector<int> weights_;
   std::vector<Layer> layers_;
   int64_t total_weight_ = 0;
   double radius_m_ = 0.;

@@ -32,23 +32,41 @@ ScanAtYaw::LevelPoints ScanAtYaw::MakePoints(int level) const {
     if (result.planes.empty() || result.planes.back().plane != plane) {
       result.planes.push_back({plane, size, size});
     }
-    LevelPoint last{std::numeric_limits<int>::min(), 0, 0, 0};
-    for (size_t i = layer.begin; i < layer.end; ++i) {
-      const ScanCell& cell = cells_.cells[i];
-      const auto place =
-          pyramid_level.PlaceOf(plane, {cell.x + first_shift_.x(), cell.y + first_shift_.y()});
-      // Without a branch, as in MatchingScan::CellsAt.
-      const bool same = (last.x == place.x) & (last.y == place.y) &
-                        (last.phase_offset == place.phase_offset) &
-                        (last.weight + cell.weight <= kMaxCellWeight);
-      last = {place.x, place.y, place.phase_offset, cell.weight + (same ? last.weight : 0)};
-      size += same ? 0 : 1;
-      points[size - 1] = last;
-    }
+    const LevelPoint* const end = pyramid_level.merges_cells()
+                                      ? AddMerged(pyramid_level, plane, layer, points + size)
+                                      : AddEach(pyramid_level, plane, layer, points + size);
+    size = end - points;
     result.planes.back().end = size;
   }
   result.points.resize(size);
   return result;
+}
+
+ScanAtYaw::LevelPoint* ScanAtYaw::AddEach(const PyramidLevel& level, int plane,
+                                          const ScanCells::Layer& layer, LevelPoint* next) const {
+  for (size_t i = layer.begin; i < layer.end; ++i) {
+    const ScanCell& cell = cells_.cells[i];
+    const auto place = level.PlaceOf(plane, cell.x + first_shift_.x(), cell.y + first_shift_.y());
+    *next++ = {place.x, place.y, place.phase_offset, cell.weight};
+  }
+  return next;
+}
+
+ScanAtYaw::LevelPoint* ScanAtYaw::AddMerged(const PyramidLevel& level, int plane,
+                                            const ScanCells::Layer& layer, LevelPoint* next) const {
+  LevelPoint last{std::numeric_limits<int>::min(), 0, 0, 0};
+  for (size_t i = layer.begin; i < layer.end; ++i) {
+    const ScanCell& cell = cells_.cells[i];
+    const auto place = level.PlaceOf(plane, cell.x + first_shift_.x(), cell.y + first_shift_.y());
+    // Without a branch, as in MatchingScan::CellsAt.
+    const bool same = (last.x == place.x) & (last.y == place.y) &
+                      (last.phase_offset == place.phase_offset) &
+                      (last.weight + cell.weight <= kMaxCellWeight);
+    last = {place.x, place.y, place.phase_offset, cell.weight + (same ? last.weight : 0)};
+    next += same ? 0 : 1;
+    next[-1] = last;
+  }
+  return next;
 }
 
 size_t ScanAtYaw::LookUp(int level, const submap::CellIndex& first_block) {

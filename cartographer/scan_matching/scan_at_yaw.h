@@ -25,7 +25,6 @@ class ScanAtYaw {
   void SumBlocks(int level, const submap::CellIndex& first_block, int side, int32_t* sums);
 
  private:
-  // Points with the same plane and place are merged if they follow each other.
   struct LevelPoint {
     int x, y;
     int phase_offset;
@@ -42,6 +41,11 @@ class ScanAtYaw {
 
   const LevelPoints& PointsOf(int level);
   LevelPoints MakePoints(int level) const;
+  // Adds the points of a layer at `next`, all of them or with neighbours merged. Returns their end.
+  LevelPoint* AddEach(const PyramidLevel& level, int plane, const ScanCells::Layer& layer,
+                      LevelPoint* next) const;
+  LevelPoint* AddMerged(const PyramidLevel& level, int plane, const ScanCells::Layer& layer,
+                        LevelPoint* next) const;
   // The points that a square of blocks may touch, into lookups_. Returns their number.
   size_t LookUp(int level, const submap::CellIndex& first_block);
 

@@ -100,7 +100,7 @@ void PyramidLevel::AddPlane(const ByteImage& maxima) {
 
 int PyramidLevel::BoundAt(int plane, const submap::CellIndex& cell,
                           const submap::CellIndex& block) const {
-  const Place place = PlaceOf(plane, cell);
+  const Place place = PlaceOf(plane, cell.x(), cell.y());
   const Window window = WindowOf(plane);
   const uint32_t column = place.x + block.x() - window.first_column;
   const uint32_t row = place.y + block.y() - window.first_row;

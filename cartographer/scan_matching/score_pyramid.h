@@ -38,6 +38,8 @@ class PyramidLevel {
   void AddPlanes(const std::vector<ByteImage>& images);
 
   int log2_window() const { return log2_window_; }
+  // Whether cells within a step of each other are looked up in the same place.
+  bool merges_cells() const { return log2_window_ > log2_phases_; }
   const uint8_t* bytes() const { return bytes_.data(); }
   // From a row to the next, of all planes.
   int stride() const { return columns_; }
@@ -49,13 +51,12 @@ class PyramidLevel {
     int x, y;
     int phase_offset;
   };
-  Place PlaceOf(int plane, const submap::CellIndex& cell) const {
+  Place PlaceOf(int plane, int cell_x, int cell_y) const {
     const int log2_step = log2_window_ - log2_phases_;
     const int mask = (1 << log2_phases_) - 1;
-    const int phase =
-        ((cell.y() >> log2_step) & mask) << log2_phases_ | ((cell.x() >> log2_step) & mask);
-    return {cell.x() >> log2_window_, cell.y() >> log2_window_,
-            phase * planes_[plane].rows * columns_};
+    const int phase_x = (cell_x >> log2_step) & mask, phase_y = (cell_y >> log2_step) & mask;
+    return {cell_x >> log2_window_, cell_y >> log2_window_,
+            ((phase_y << log2_phases_) + phase_x) * planes_[plane].rows * columns_};
   }
 
   // The columns and rows at which a square of blocks can touch anything: its first block at place
