@@ -11,6 +11,7 @@
 #include <string>
 
 #include "cartographer/transform/se3.h"
+#include "test/testing/test_labels.h"
 
 namespace semantic_kiss::odometry {
 namespace {
@@ -22,26 +23,6 @@ using cartographer::transform::Exp;
 using cartographer::transform::Rigid3d;
 using cartographer::transform::Twist;
 using Placement = OdometryReport::Placement;
-
-LabelSet Labels() {
-  cartographer::sensor::proto::LabelSet declaration;
-  declaration.set_name("test");
-  declaration.set_default_certainty(0.9);
-  const auto add = [&](int id, const std::string& name, const std::string& role) {
-    auto* const label_class = declaration.add_classes();
-    label_class->set_id(id);
-    label_class->set_name(name);
-    for (int i = 0; i < 3; ++i) label_class->add_color(100);
-    if (!role.empty()) label_class->add_roles(role);
-  };
-  add(0, "unlabeled", "unlabeled");
-  add(1, "building", "");
-  add(2, "pole", "critical");
-  add(3, "moving-car", "moving");
-  const auto labels = LabelSet::Create(declaration);
-  EXPECT_TRUE(labels.ok()) << labels.status();
-  return *labels;
-}
 
 proto::OdometryOptions Options(const std::string& mode) {
   proto::OdometryOptions options;
@@ -110,7 +91,7 @@ double DistanceFrom(const Rigid3d& expected, const Rigid3d& actual) {
 class OdometryModeTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(OdometryModeTest, FollowsACurvedDrive) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   Odometry odometry(Options(GetParam()), labels);
   Twist step;
   step << 0.5, 0., 0., 0., 0., 0.01;
@@ -126,7 +107,7 @@ TEST_P(OdometryModeTest, FollowsACurvedDrive) {
 }
 
 TEST_P(OdometryModeTest, BadScansAreSurvivedByTheMotionModel) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   Odometry odometry(Options(GetParam()), labels);
   const Rigid3d street_from_start = Rigid3d::Translation({-10., 0., 1.7});
   Twist step = Twist::Zero();
@@ -155,7 +136,7 @@ TEST_P(OdometryModeTest, BadScansAreSurvivedByTheMotionModel) {
 }
 
 TEST_P(OdometryModeTest, BeginsAnewAfterTooManyFailures) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   Odometry odometry(Options(GetParam()), labels);
   const Rigid3d street_from_sensor = Rigid3d::Translation({0., 0., 1.7});
   LabeledPointCloud here = SeeStreet(labels, street_from_sensor, 1);
@@ -174,7 +155,7 @@ TEST_P(OdometryModeTest, BeginsAnewAfterTooManyFailures) {
 INSTANTIATE_TEST_SUITE_P(Modes, OdometryModeTest, testing::Values("semantic_kiss", "kiss_icp"));
 
 TEST(OdometryTest, MovingThingsAreDroppedOnlyWithLabels) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   LabeledPointCloud cloud = SeeStreet(labels, Rigid3d::Translation({0., 0., 1.7}), 1);
   const Label moving_car = *labels.FromName("moving-car");
   for (size_t i = 0; i < 100; ++i) cloud.labels[i] = moving_car;
@@ -188,7 +169,7 @@ TEST(OdometryTest, MovingThingsAreDroppedOnlyWithLabels) {
 }
 
 TEST(OdometryTest, KissIcpModeIsDeafToLabels) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   Odometry labeled(Options("kiss_icp"), labels), unlabeled(Options("kiss_icp"), LabelSet());
   Twist step = Twist::Zero();
   step[0] = 0.4;
@@ -204,7 +185,7 @@ TEST(OdometryTest, KissIcpModeIsDeafToLabels) {
 }
 
 TEST(OdometryTest, UnlabeledScansMakeSemanticModeKissIcp) {
-  const LabelSet labels = Labels();
+  const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();
   Odometry semantic(Options("semantic_kiss"), labels), plain(Options("kiss_icp"), labels);
   Twist step = Twist::Zero();
   step[0] = 0.4;
