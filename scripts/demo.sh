@@ -4,7 +4,7 @@
 #
 # Sets up, builds, drives and says which pictures to look at: demo.sh [OUTPUT], by default
 # output/demo. Drives through the labeled scans in $SEMANTIC_KISS_DATA/semantickitti, else in
-# ../shared/data/semantickitti beside the source tree; if there are none, round a block of a
+# ../shared/data/semantickitti beside the source tree; if there are none, round the blocks of a
 # simulated town.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -24,7 +24,7 @@ if [[ -d "$dataset/sequences/00/velodyne" ]]; then
 else
   echo "There are no scans in $dataset: simulating some"
   dataset=$output/simulated
-  "$semantic_kiss" simulate --route=city --length=300 --lidar=vlp16 --output="$dataset"
+  "$semantic_kiss" simulate --route=city --length=800 --lidar=hdl64 --output="$dataset"
 fi
 
 "$semantic_kiss" run --config=semantic_kiss.lua --dataset="$dataset" --sequence=00 \
