@@ -137,7 +137,11 @@ absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask
   RasterFrame frame;
   const double wanted_m =
       options.resolution_m > 0. ? options.resolution_m : 0.5 * FinestResolution(map);
-  frame.resolution_m = std::max(wanted_m, std::max(x.Length(), y.Length()) / options.max_side_px);
+  const double longest_m = std::max(x.Length(), y.Length());
+  if (!std::isfinite(longest_m)) {
+    return absl::InvalidArgumentError("the map's submaps are farther apart than numbers can tell");
+  }
+  frame.resolution_m = std::max(wanted_m, longest_m / options.max_side_px);
   const auto pixels = [&](const Interval& side) {
     const double count = std::ceil(side.Length() / frame.resolution_m);
     return static_cast<int>(std::clamp<double>(count, 1., options.max_side_px));

@@ -45,7 +45,7 @@ struct RasterFrameOptions {
 
 // The frame that shows what the map's grids saw of all labels but `hidden`; unlabeled hits count
 // only if there are no others. Errors: a map without a single hit that is shown, a submap's pose
-// that is not finite.
+// that is not finite, extents that overflow.
 absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask& hidden,
                                     const RasterFrameOptions& options);
 

@@ -111,6 +111,15 @@ TEST(RasterFrameTest, PosesThatAreNotFiniteAreAnError) {
               HasSubstr("submap 0/1 of the map has a pose that is not finite"));
 }
 
+TEST(RasterFrameTest, ExtentsThatOverflowAreAnError) {
+  map::Map map = EmptyMap();
+  for (const double x : {-1.5e308, 1.5e308}) {
+    AddSubmap(SubmapFromSketch({"R"}, 0.1), PlanarPose(x, 0., 0.), &map);
+  }
+  EXPECT_THAT(std::string(FrameOf(map, {}, {0.1, 100, 0.}).status().message()),
+              HasSubstr("farther apart than numbers can tell"));
+}
+
 TEST(RasterFrameTest, NodesThatAreNotFiniteArePassedOver) {
   map::Map map = MapFromSketch({"R"}, 0.1);
   const int width = WholeFrame(map, 0.1).width;
