@@ -151,6 +151,17 @@ absl::string_view RoleWord(LabelRole role) {
   return "";
 }
 
+absl::StatusOr<LabelRole> RoleFromWord(absl::string_view word) {
+  std::vector<std::string> known;
+  for (size_t i = 0; i < kNumLabelRoles; ++i) {
+    const auto role = static_cast<LabelRole>(i);
+    if (RoleWord(role) == word) return role;
+    known.emplace_back(RoleWord(role));
+  }
+  return absl::InvalidArgumentError(
+      absl::StrCat("no role \"", word, "\"; ", common::SuggestName(word, known)));
+}
+
 absl::Status CheckLabelSet(const proto::LabelSet& declaration) {
   if (!IsCertainty(declaration.default_certainty())) {
     return Error("default_certainty = ", declaration.default_certainty(),

@@ -16,6 +16,7 @@ const std::vector<Command>& Commands();
 // One file a command: <name>_command.cc.
 Command ConfigCommand();
 Command EvaluateCommand();
+Command FilterCommand();
 Command InfoCommand();
 Command RenderCommand();
 Command RunCommand();

@@ -6,6 +6,7 @@
 #include "gflags/gflags.h"
 #include "glog/logging.h"
 
+DEFINE_string(box, "", "Corners of a box in the map: x_min,y_min,x_max,y_max in metres.");
 DEFINE_string(calib, "",
               "KITTI calib.txt; its row Tr turns lidar poses of --estimate into the camera poses "
               "of KITTI's ground truth. Without it both files must be of the same body.");
@@ -23,6 +24,11 @@ DEFINE_string(
     "by default.");
 DEFINE_string(hide, "", "Labels that are left out, separated by commas: car,truck.");
 DEFINE_bool(json, false, "Print JSON for scripts instead of text for people.");
+DEFINE_string(keep, "", "Labels to keep, separated by commas: all others are removed.");
+DEFINE_string(keep_role, "",
+              "Roles whose labels are kept: moving, movable, critical, ground, unlabeled.");
+DEFINE_string(keep_trajectory, "",
+              "Trajectories to keep, separated by commas: only what the others saw is removed.");
 DEFINE_double(label_noise, 0., "Share of points with a wrong label, up to 0.25.");
 DEFINE_string(labels_dir, "",
               "Where the labels are: a folder of the sequence such as `predictions`, an absolute "
@@ -30,18 +36,27 @@ DEFINE_string(labels_dir, "",
 DEFINE_double(length, 0., "Length of a synthetic route in metres.");
 DEFINE_string(lidar, "", "The lidar: hdl64, os1_128, vlp16, or another one of the configuration.");
 DEFINE_string(map, "", "Map to read.");
+DEFINE_int32(min_hits, 0, "Remove cells of a submap that fewer points of a label hit.");
 DEFINE_int32(num_scans, 0, "Number of scans to use.");
 DEFINE_string(output, "",
               "Where results go. Existing results are replaced once new ones are whole.");
+DEFINE_bool(outside, false, "Remove what is outside of --polygon or --box, not inside.");
+DEFINE_string(polygon, "", "Corners of a polygon in the map: x1,y1,x2,y2,... in metres.");
 DEFINE_string(poses, "", "Drive the way of this file: camera poses in KITTI's format.");
 DEFINE_string(preview, "", "Draw the town from above with the route: a PNG.");
 DEFINE_bool(quiet, false, "Print nothing but errors.");
 DEFINE_bool(raw, false, "Leave points as measured, not deskewed, and write their times.");
+DEFINE_string(remove, "", "Labels to remove, separated by commas: car,truck.");
+DEFINE_string(remove_role, "",
+              "Roles whose labels are removed: moving, movable, critical, ground, unlabeled.");
+DEFINE_bool(remove_transient, false,
+            "Remove movable and unlabeled things that one visit saw and another one did not.");
 DEFINE_double(resolution, 0., "Side of a pixel in metres.");
 DEFINE_string(route, "", "Synthetic route: city, highway or loop.");
 DEFINE_int64(seed, 0, "What the town and the lidar's errors are made from.");
 DEFINE_string(sequence, "00", "Sequence of the data set.");
 DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
+DEFINE_string(trajectory, "", "Trajectories, by their numbers, separated by commas.");
 
 namespace semantic_kiss::cli {
 
@@ -67,6 +82,17 @@ const std::vector<FlagInfo>& Flags() {
       {"epoch", "N", G::kSelection, V::kNumber, "as configured", 0.},
       {"label_noise", "SHARE", G::kSelection, V::kNumber, "as configured", 0.},
       {"hide", "LABELS", G::kSelection, V::kText},
+      {"remove", "LABELS", G::kSelection, V::kText},
+      {"remove_role", "ROLES", G::kSelection, V::kText},
+      {"keep", "LABELS", G::kSelection, V::kText},
+      {"keep_role", "ROLES", G::kSelection, V::kText},
+      {"min_hits", "N", G::kSelection, V::kNumber, "all cells stay", 0.},
+      {"remove_transient", "", G::kSelection, V::kNone},
+      {"polygon", "NUMBERS", G::kSelection, V::kText, "everywhere"},
+      {"box", "NUMBERS", G::kSelection, V::kText, "everywhere"},
+      {"outside", "", G::kSelection, V::kNone},
+      {"trajectory", "NUMBERS", G::kSelection, V::kText, "all"},
+      {"keep_trajectory", "NUMBERS", G::kSelection, V::kText},
       {"output", "PATH", G::kOutput, V::kFile},
       {"raw", "", G::kOutput, V::kNone},
       {"preview", "FILE", G::kOutput, V::kFile},
@@ -83,6 +109,10 @@ const FlagInfo& FlagNamed(const std::string& name) {
     if (flag.name == name) return flag;
   }
   LOG(FATAL) << "no flag is called " << name;
+}
+
+bool IsGiven(const std::string& flag) {
+  return !gflags::GetCommandLineFlagInfoOrDie(flag.c_str()).is_default;
 }
 
 }  // namespace semantic_kiss::cli

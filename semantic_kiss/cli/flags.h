@@ -11,6 +11,7 @@
 #include "gflags/gflags_declare.h"
 
 // The values of all flags. A command reads only those that it declares (command.h).
+DECLARE_string(box);
 DECLARE_string(calib);
 DECLARE_string(config);
 DECLARE_string(dataset);
@@ -20,22 +21,32 @@ DECLARE_int32(first_scan);
 DECLARE_string(ground_truth);
 DECLARE_string(hide);
 DECLARE_bool(json);
+DECLARE_string(keep);
+DECLARE_string(keep_role);
+DECLARE_string(keep_trajectory);
 DECLARE_double(label_noise);
 DECLARE_string(labels_dir);
 DECLARE_double(length);
 DECLARE_string(lidar);
 DECLARE_string(map);
+DECLARE_int32(min_hits);
 DECLARE_int32(num_scans);
 DECLARE_string(output);
+DECLARE_bool(outside);
+DECLARE_string(polygon);
 DECLARE_string(poses);
 DECLARE_string(preview);
 DECLARE_bool(quiet);
 DECLARE_bool(raw);
+DECLARE_string(remove);
+DECLARE_string(remove_role);
+DECLARE_bool(remove_transient);
 DECLARE_double(resolution);
 DECLARE_string(route);
 DECLARE_int64(seed);
 DECLARE_string(sequence);
 DECLARE_int32(threads);
+DECLARE_string(trajectory);
 
 namespace semantic_kiss::cli {
 
@@ -62,6 +73,9 @@ const std::vector<FlagInfo>& Flags();
 
 // The flag called `name`, which must exist (CHECKed: commands name only flags of ours).
 const FlagInfo& FlagNamed(const std::string& name);
+
+// Whether the command line sets the flag.
+bool IsGiven(const std::string& flag);
 
 }  // namespace semantic_kiss::cli
 

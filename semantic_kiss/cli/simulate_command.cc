@@ -11,7 +11,6 @@
 #include "cartographer/common/options_loader.h"
 #include "cartographer/common/status.h"
 #include "cartographer/io/atomic_file.h"
-#include "gflags/gflags.h"
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/configuration.h"
 #include "semantic_kiss/cli/flags.h"
@@ -26,8 +25,6 @@ namespace {
 
 using simulation::Simulation;
 using simulation::proto::SimulationOptions;
-
-bool IsGiven(const char* flag) { return !gflags::GetCommandLineFlagInfoOrDie(flag).is_default; }
 
 void ApplyRouteFlags(simulation::proto::RouteOptions* route) {
   if (IsGiven("route")) route->set_kind(FLAGS_route);

@@ -1,0 +1,26 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef CARTOGRAPHER_MAP_REMOVE_TRANSIENT_H_
+#define CARTOGRAPHER_MAP_REMOVE_TRANSIENT_H_
+
+#include "cartographer/map/filter_scope.h"
+#include "cartographer/map/map.h"
+#include "cartographer/map/proto/filter_options.pb.h"
+
+namespace cartographer::map {
+
+// Removes what was there on one visit and gone on another: hits of movable and unlabeled labels in
+// cells that a submap of another visit found free (free_cells.h), and the points that go with them.
+// When submaps belong to different visits, and how well they must agree, stands in
+// TransientOptions. Without ground labels, without times or where a place was visited once, nothing
+// is removed.
+//
+// What a visit lost may have been all that spoke against calling a neighbouring cell free; so this
+// is repeated until nothing goes any more, and doing it once more changes nothing. Submaps outside
+// of the scope bear witness, but lose nothing.
+void RemoveTransient(const FilterScope& scope, const proto::TransientOptions& options, Map* map);
+
+}  // namespace cartographer::map
+
+#endif  // CARTOGRAPHER_MAP_REMOVE_TRANSIENT_H_
