@@ -39,13 +39,17 @@ absl::StatusOr<mapping::proto::Submap> UnnamedToProto(const SubmapElement& eleme
 
 absl::StatusOr<submap::SemanticGrid> GridFromProto(const mapping::proto::Submap& proto,
                                                    const transform::Rigid3d& local_from_submap,
-                                                   const sensor::LabelSet& labels) {
+                                                   const sensor::LabelSet& labels,
+                                                   const MapParts& parts) {
+  constexpr double kAnyResolution_m = 1.;
+  if (!parts.grids) return submap::SemanticGrid(kAnyResolution_m);
   if (proto.has_semantic()) return FromProto(proto.semantic().grid(), labels.size());
   return FromStockGrid(proto.submap_2d().grid(), local_from_submap);
 }
 
 absl::StatusOr<SubmapElement> UnnamedFromProto(const mapping::proto::Submap& proto,
-                                               const sensor::LabelSet& labels) {
+                                               const sensor::LabelSet& labels,
+                                               const MapParts& parts) {
   if (!proto.has_submap_2d()) {
     return absl::UnimplementedError("is not 2D; only 2D maps of Cartographer can be opened");
   }
@@ -54,13 +58,14 @@ absl::StatusOr<SubmapElement> UnnamedFromProto(const mapping::proto::Submap& pro
     return absl::DataLossError(absl::StrCat("has ", stock.num_range_data(), " scans"));
   }
   ASSIGN_OR_RETURN(const transform::Rigid3d local_from_submap, FromProto(stock.local_pose()));
-  ASSIGN_OR_RETURN(submap::SemanticGrid grid, GridFromProto(proto, local_from_submap, labels));
+  ASSIGN_OR_RETURN(submap::SemanticGrid grid,
+                   GridFromProto(proto, local_from_submap, labels, parts));
   auto submap = std::make_shared<submap::Submap>(grid.resolution_m());
   submap->local_from_submap = local_from_submap;
   submap->grid = std::move(grid);
   submap->num_scans = stock.num_range_data();
   submap->finished = stock.finished();
-  if (proto.has_semantic()) {
+  if (proto.has_semantic() && parts.submap_clouds) {
     ASSIGN_OR_RETURN(submap->cloud,
                      FromProto(proto.semantic().cloud(), &proto.semantic().cloud_attributes(),
                                labels.size(), Eigen::Quaterniond::Identity()));
@@ -125,8 +130,8 @@ absl::StatusOr<mapping::proto::Node> ToProto(const NodeElement& element,
 }
 
 absl::StatusOr<SubmapElement> FromProto(const mapping::proto::Submap& proto,
-                                        const sensor::LabelSet& labels) {
-  return Named(UnnamedFromProto(proto, labels), FromProto(proto.submap_id()));
+                                        const sensor::LabelSet& labels, const MapParts& parts) {
+  return Named(UnnamedFromProto(proto, labels, parts), FromProto(proto.submap_id()));
 }
 
 absl::StatusOr<NodeElement> FromProto(const mapping::proto::Node& proto,

@@ -39,11 +39,18 @@ absl::StatusOr<mapping::proto::Submap> ToProto(const SubmapElement& element,
 absl::StatusOr<mapping::proto::Node> ToProto(const NodeElement& element,
                                              const sensor::LabelSet& labels);
 
+// Which parts of a map are read. The others are left empty, unchecked, and cost little.
+struct MapParts {
+  bool grids = true;  // of submaps
+  bool submap_clouds = true;
+  bool node_clouds = true;
+};
+
 // Errors name the element. Elements of Cartographer's own maps come without labels: a submap's
 // grid by FromStockGrid(), its cloud empty. kUnimplemented for submaps that are not 2D grids of
 // probabilities.
 absl::StatusOr<SubmapElement> FromProto(const mapping::proto::Submap& proto,
-                                        const sensor::LabelSet& labels);
+                                        const sensor::LabelSet& labels, const MapParts& parts);
 absl::StatusOr<NodeElement> FromProto(const mapping::proto::Node& proto,
                                       const sensor::LabelSet& labels);
 

@@ -9,6 +9,7 @@
 #include "cartographer/common/status.h"
 #include "cartographer/io/atomic_file.h"
 #include "cartographer/io/draw_page.h"
+#include "cartographer/io/hidden_labels.h"
 #include "cartographer/io/raster_frame.h"
 #include "cartographer/io/raster_gaps.h"
 #include "cartographer/io/raster_shading.h"
@@ -16,31 +17,17 @@
 #include "cartographer/io/semantic_raster.h"
 
 namespace cartographer::io {
-namespace {
-
-absl::StatusOr<sensor::LabelMask> MaskOf(const sensor::LabelSet& labels,
-                                         const proto::RenderOptions& options) {
-  sensor::LabelMask mask;
-  for (const std::string& name : options.hide()) {
-    ASSIGN_OR_RETURN(const sensor::Label label, labels.FromName(name));
-    mask.Insert(label);
-  }
-  return mask;
-}
-
-}  // namespace
 
 absl::StatusOr<std::string> RenderMapImage(const map::Map& map,
                                            const proto::RenderOptions& options) {
-  absl::StatusOr<sensor::LabelMask> hidden = MaskOf(map.labels, options);
-  if (!hidden.ok()) return common::AddContext(hidden.status(), "hide");
+  ASSIGN_OR_RETURN(const sensor::LabelMask hidden, HiddenLabels(options, map.labels));
   ASSIGN_OR_RETURN(
       const RasterFrame frame,
-      FrameOf(map, *hidden, {options.resolution_m(), options.max_side_px(), options.crop_share()}));
-  SemanticRaster raster = ComposeRaster(map, *hidden, frame);
+      FrameOf(map, hidden, {options.resolution_m(), options.max_side_px(), options.crop_share()}));
+  SemanticRaster raster = ComposeRaster(map, hidden, frame);
   FillGaps(map.labels.WithRole(sensor::LabelRole::kGround), options.fill_gaps_m(), &raster);
   const std::vector<uint32_t> pixels =
-      ShadeRaster(raster, map.labels, CastShadows(map, *hidden, frame));
+      ShadeRaster(raster, map.labels, CastShadows(map, hidden, frame));
   ASSIGN_OR_RETURN(const Canvas canvas, DrawPage(map, options, raster, pixels));
   return canvas.ToPng();
 }

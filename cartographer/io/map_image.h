@@ -20,7 +20,7 @@ namespace cartographer::io {
 //
 // The same map and options give the same bytes on any number of threads; the installed fonts show
 // in the text alone. Errors: a map with nothing to draw, a submap's pose that is not finite, a name
-// in `hide` that the label set does not know, no memory for a picture of this size.
+// in `hide` or `show` that the label set does not know, no memory for a picture of this size.
 absl::StatusOr<std::string> RenderMapImage(const map::Map& map,
                                            const proto::RenderOptions& options);
 

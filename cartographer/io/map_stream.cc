@@ -11,6 +11,7 @@
 #include "cartographer/io/parse_message.h"
 #include "cartographer/io/pose_proto.h"
 #include "cartographer/io/record_format.h"
+#include "google/protobuf/wire_format_lite.h"
 
 namespace cartographer::io {
 namespace {
@@ -19,6 +20,17 @@ using mapping::proto::SerializedData;
 
 MapStream::RecordSize SizeOf(const CompressedRecord& compressed, const std::string& message) {
   return {compressed.member.size() + kSizeBytes, message.size()};
+}
+
+// Whether a serialized record is a submap or a node, by the field that it begins with, which is its
+// only one; DATA_NOT_SET for all else. Nothing is parsed.
+SerializedData::DataCase ElementKindOf(const std::string& bytes) {
+  for (const auto kind : {SerializedData::kSubmap, SerializedData::kNode}) {
+    const auto tag = google::protobuf::internal::WireFormatLite::MakeTag(
+        kind, google::protobuf::internal::WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
+    if (!bytes.empty() && static_cast<uint8_t>(bytes[0]) == tag) return kind;
+  }
+  return SerializedData::DATA_NOT_SET;
 }
 
 // Remembers that an element came. `listed` is what the pose graph has.
@@ -44,9 +56,9 @@ absl::Status CheckAllSeen(const Listed& listed, const std::set<Id>& seen) {
 
 }  // namespace
 
-absl::StatusOr<MapStream> MapStream::Open(const std::string& path) {
+absl::StatusOr<MapStream> MapStream::Open(const std::string& path, const MapParts& parts) {
   ASSIGN_OR_RETURN(RecordReader reader, RecordReader::Open(path));
-  MapStream stream(std::move(reader));
+  MapStream stream(std::move(reader), parts);
   RETURN_IF_ERROR(stream.ReadOpening());
   return stream;
 }
@@ -105,15 +117,22 @@ absl::Status MapStream::ReadHeader() {
   return absl::OkStatus();
 }
 
+bool MapStream::IsRead(SerializedData::DataCase kind) const {
+  if (kind == SerializedData::kSubmap) return parts_.grids || parts_.submap_clouds;
+  return kind != SerializedData::kNode || parts_.node_clouds;
+}
+
 absl::StatusOr<MapStream::Record> MapStream::Decode(const CompressedRecord& compressed) const {
   ASSIGN_OR_RETURN(const std::string bytes, compressed.Decompress());
+  Record record;
+  record.kind = ElementKindOf(bytes);
+  record.size = SizeOf(compressed, bytes);
+  if (!IsRead(record.kind)) return record;
   SerializedData data;
   RETURN_IF_ERROR(ParseMessage(bytes, &data));
-  Record record;
   record.kind = data.data_case();
-  record.size = SizeOf(compressed, bytes);
   if (record.kind == SerializedData::kSubmap) {
-    record.submap = FromProto(data.submap(), header_.labels);
+    record.submap = FromProto(data.submap(), header_.labels, parts_);
     if (!absl::IsUnimplemented(record.submap.status())) {
       RETURN_IF_ERROR(record.submap.status());
     }
@@ -127,6 +146,7 @@ absl::StatusOr<MapStream::Record> MapStream::Decode(const CompressedRecord& comp
 }
 
 absl::Status MapStream::CheckListed(const Record& record) {
+  if (!IsRead(record.kind)) return absl::OkStatus();
   if (record.kind == SerializedData::kSubmap && record.submap.ok()) {
     return CheckId(record.submap->id, pose_graph_.map_from_submap, &seen_submaps_);
   }
@@ -138,7 +158,10 @@ absl::Status MapStream::CheckListed(const Record& record) {
 }
 
 absl::Status MapStream::CheckComplete() const {
-  RETURN_IF_ERROR(CheckAllSeen(pose_graph_.map_from_submap, seen_submaps_));
+  if (IsRead(SerializedData::kSubmap)) {
+    RETURN_IF_ERROR(CheckAllSeen(pose_graph_.map_from_submap, seen_submaps_));
+  }
+  if (!IsRead(SerializedData::kNode)) return absl::OkStatus();
   return CheckAllSeen(pose_graph_.nodes, seen_nodes_);
 }
 
@@ -148,7 +171,8 @@ absl::Status MapStream::ForEach(const std::function<absl::Status(Record)>& consu
       &reader_, [this](const CompressedRecord& compressed) { return Decode(compressed); },
       [&](const CompressedRecord&, Record record) -> absl::Status {
         RETURN_IF_ERROR(CheckListed(record));
-        all_supported &= record.kind != SerializedData::kSubmap || record.submap.ok();
+        all_supported &=
+            record.kind != SerializedData::kSubmap || !IsRead(record.kind) || record.submap.ok();
         return consume(std::move(record));
       }));
   return all_supported ? common::AddContext(CheckComplete(), reader_.path()) : absl::OkStatus();

@@ -44,7 +44,8 @@ class MapStream {
     uint64_t message_bytes = 0;
   };
 
-  // Submaps, nodes and the records that a map does not keep (IMU, odometry, ...).
+  // Submaps, nodes and the records that a map does not keep (IMU, odometry, ...). Of those that
+  // hold no part that is read, only kind and size are known.
   struct Record {
     mapping::proto::SerializedData::DataCase kind = mapping::proto::SerializedData::DATA_NOT_SET;
     RecordSize size;
@@ -54,7 +55,8 @@ class MapStream {
   };
 
   // Reads the header, the pose graph and the options of trajectories (which only get counted).
-  static absl::StatusOr<MapStream> Open(const std::string& path);
+  // ForEach() then reads the parts.
+  static absl::StatusOr<MapStream> Open(const std::string& path, const MapParts& parts = {});
 
   const Header& header() const { return header_; }
   const PoseGraph& pose_graph() const { return pose_graph_; }
@@ -66,16 +68,19 @@ class MapStream {
   absl::Status ForEach(const std::function<absl::Status(Record)>& consume);
 
  private:
-  explicit MapStream(RecordReader reader) : reader_(std::move(reader)) {}
+  MapStream(RecordReader reader, const MapParts& parts)
+      : reader_(std::move(reader)), parts_(parts) {}
 
   absl::Status ReadOpening();
   absl::Status ReadMessage(const char* what, google::protobuf::Message* message);
   absl::Status ReadHeader();
   absl::StatusOr<Record> Decode(const CompressedRecord& compressed) const;
+  bool IsRead(mapping::proto::SerializedData::DataCase kind) const;
   absl::Status CheckListed(const Record& record);
   absl::Status CheckComplete() const;
 
   RecordReader reader_;
+  MapParts parts_;
   Header header_;
   PoseGraph pose_graph_;
   std::vector<RecordSize> opening_sizes_;

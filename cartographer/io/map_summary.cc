@@ -59,22 +59,9 @@ void SumUpPoseGraph(const PoseGraph& graph, MapSummary* summary) {
   summary->num_inter_constraints = graph.constraints.size() - summary->num_intra_constraints;
 }
 
-void CountPoints(const sensor::LabeledPointCloud& cloud, uint64_t MapSummary::LabelCount::*count,
-                 MapSummary* summary) {
-  for (const sensor::Label label : cloud.labels) {
-    ++(summary->label_counts[sensor::Index(label)].*count);
-  }
-}
-
 void SumUpSubmap(const submap::Submap& submap, const transform::Rigid3d& map_from_submap,
                  MapSummary* summary) {
-  for (const sensor::Label label : submap.grid.Labels()) {
-    uint64_t& hits = summary->label_counts[sensor::Index(label)].hits;
-    for (const auto& [index, tile] : submap.grid.LayerOf(label)) {
-      for (const uint16_t count : tile->hits) hits += count;
-    }
-  }
-  CountPoints(submap.cloud, &MapSummary::LabelCount::submap_points, summary);
+  map::CountSubmap(submap, &summary->label_counts);
   const submap::SemanticGrid::CellBox box = submap.grid.Bounds();
   if (box.Empty()) return;
   for (const int x : {box.min.x(), box.max.x()}) {
@@ -106,7 +93,7 @@ absl::StatusOr<MapSummary> ReadMapSummary(const std::string& path) {
   RETURN_IF_ERROR(stream.ForEach([&](const MapStream::Record& record) {
     CountRecord(NameOf(record.kind), record.size, &summary);
     if (record.kind == SerializedData::kNode) {
-      CountPoints(*record.node.cloud, &MapSummary::LabelCount::node_points, &summary);
+      map::CountNode(*record.node.cloud, &summary.label_counts);
     } else if (record.kind == SerializedData::kSubmap && record.submap.ok()) {
       SumUpSubmap(*record.submap->submap, stream.pose_graph().map_from_submap.at(record.submap->id),
                   &summary);

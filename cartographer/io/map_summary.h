@@ -11,6 +11,7 @@
 
 #include "absl/status/statusor.h"
 #include "cartographer/common/time.h"
+#include "cartographer/map/label_count.h"
 #include "cartographer/sensor/label_set.h"
 
 namespace cartographer::io {
@@ -31,12 +32,6 @@ struct MapSummary {
     common::Time first_time, last_time;  // of nodes, if there are any
     double length_m = 0.;                // along the nodes' poses in the map
   };
-  struct LabelCount {
-    uint64_t hits = 0;           // in the submaps' grids
-    uint64_t submap_points = 0;  // in their clouds
-    uint64_t node_points = 0;    // in the nodes' clouds
-  };
-
   uint64_t file_bytes = 0;
   int format_version = 0;
   bool made_by_us = false;  // if not, labels, configuration and history are empty
@@ -47,9 +42,9 @@ struct MapSummary {
   // Submaps that are not 2D grids of probabilities: such a map can be summed up, not opened.
   int64_t num_unsupported_submaps = 0;
   sensor::LabelSet labels;
-  std::vector<LabelCount> label_counts;  // by label
-  Eigen::AlignedBox3d node_bounds_m;     // of the nodes' positions, in the map frame
-  Eigen::AlignedBox2d grid_bounds_m;     // of the tiles of all submaps' grids, in the map frame
+  map::LabelCounts label_counts;
+  Eigen::AlignedBox3d node_bounds_m;  // of the nodes' positions, in the map frame
+  Eigen::AlignedBox2d grid_bounds_m;  // of the tiles of all submaps' grids, in the map frame
   std::string configuration_lua;
   std::vector<std::string> history;
 };

@@ -94,14 +94,6 @@ void AddTrajectories(const map::Map& map, Interval* x, Interval* y) {
   y->Add(nodes_y.min, margin_m), y->Add(nodes_y.max, margin_m);
 }
 
-double FinestResolution(const map::Map& map) {
-  double finest_m = std::numeric_limits<double>::infinity();
-  for (const auto& [id, placed] : map.submaps) {
-    finest_m = std::min(finest_m, placed.submap->grid.resolution_m());
-  }
-  return finest_m;
-}
-
 absl::Status CheckPoses(const map::Map& map) {
   for (const auto& [id, placed] : map.submaps) {
     if (placed.map_from_submap.IsFinite()) continue;
@@ -113,6 +105,14 @@ absl::Status CheckPoses(const map::Map& map) {
 }
 
 }  // namespace
+
+double FinestResolution_m(const map::Map& map) {
+  double finest_m = std::numeric_limits<double>::infinity();
+  for (const auto& [id, placed] : map.submaps) {
+    finest_m = std::min(finest_m, placed.submap->grid.resolution_m());
+  }
+  return finest_m;
+}
 
 absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask& hidden,
                                     const RasterFrameOptions& options) {
@@ -136,7 +136,7 @@ absl::StatusOr<RasterFrame> FrameOf(const map::Map& map, const sensor::LabelMask
   AddTrajectories(map, &x, &y);
   RasterFrame frame;
   const double wanted_m =
-      options.resolution_m > 0. ? options.resolution_m : 0.5 * FinestResolution(map);
+      options.resolution_m > 0. ? options.resolution_m : 0.5 * FinestResolution_m(map);
   const double longest_m = std::max(x.Length(), y.Length());
   if (!std::isfinite(longest_m)) {
     return absl::InvalidArgumentError("the map's submaps are farther apart than numbers can tell");

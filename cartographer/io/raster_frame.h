@@ -43,6 +43,9 @@ struct RasterFrameOptions {
   double crop_share = 0.;
 };
 
+// Side of a cell of the finest grid; infinity if there are none.
+double FinestResolution_m(const map::Map& map);
+
 // The frame that shows what the map's grids saw of all labels but `hidden`; unlabeled hits count
 // only if there are no others. Errors: a map without a single hit that is shown, a submap's pose
 // that is not finite, extents that overflow.

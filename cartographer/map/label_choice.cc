@@ -3,8 +3,6 @@
 
 #include "cartographer/map/label_choice.h"
 
-#include <string>
-
 #include "cartographer/common/status.h"
 #include "cartographer/sensor/label_set_check.h"
 
@@ -34,6 +32,12 @@ absl::Status AddWithRoles(const Words& words, const sensor::LabelSet& labels,
 }
 
 }  // namespace
+
+absl::StatusOr<sensor::LabelMask> LabelsNamed(const Words& names, const sensor::LabelSet& labels) {
+  sensor::LabelMask mask;
+  RETURN_IF_ERROR(AddNamed(names, labels, &mask));
+  return mask;
+}
 
 absl::StatusOr<sensor::LabelMask> LabelsToRemove(const proto::FilterOptions& options,
                                                  const sensor::LabelSet& labels) {

@@ -3,25 +3,37 @@
 
 #include "cartographer/map/remove_transient.h"
 
+#include <map>
+#include <vector>
+
+#include "cartographer/map/cell_set.h"
 #include "cartographer/map/remove_cells.h"
 #include "cartographer/map/remove_points.h"
-#include "cartographer/map/witnesses.h"
+#include "cartographer/map/transient_search.h"
 
 namespace cartographer::map {
 
 void RemoveTransient(const FilterScope& scope, const proto::TransientOptions& options, Map* map) {
+  if (map->submaps.empty()) return;
   sensor::LabelMask labels = map->labels.WithRole(sensor::LabelRole::kMovable);
   labels.Insert(sensor::kUnlabeled);
-  Witnesses witnesses(options, labels, *map);
+  const TransientSearch search(options, labels, *map);
   LostCells lost;
-  const LostCells* among = nullptr;  // in the first round all are heard, later those that changed
   do {
-    lost = RemoveCells(
-        scope, labels, [&](const submap::SubmapId& id) { return witnesses.RuleFor(id, among); },
-        map);
-    among = &lost;
+    const std::vector<CellSet> found = search.Search(*map);
+    std::map<submap::SubmapId, const CellSet*> cells_of_submap;
+    for (size_t i = 0; i < found.size(); ++i) {
+      cells_of_submap[search.viewers()[i].id] = &found[i];
+    }
+    const auto rule_of = [&cells_of_submap](const submap::SubmapId& id) -> CellRule {
+      const CellSet& cells = *cells_of_submap.at(id);
+      if (cells.Empty()) return nullptr;
+      return [&cells](sensor::Label, const submap::CellIndex& cell, int) {
+        return cells.Contains(cell);
+      };
+    };
+    lost = RemoveCells(scope, labels, rule_of, map);
     RemovePointsOfLostCells(lost, map);
-    witnesses.Update(lost, *map);
   } while (!lost.empty());
 }
 

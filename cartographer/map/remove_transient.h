@@ -10,11 +10,9 @@
 
 namespace cartographer::map {
 
-// Removes what was there on one visit and gone on another: hits of movable and unlabeled labels in
-// cells that a submap of another visit found free (free_cells.h), and the points that go with them.
-// When submaps belong to different visits, and how well they must agree, stands in
-// TransientOptions. Without ground labels, without times or where a place was visited once, nothing
-// is removed.
+// Removes what was there on one visit and gone on another (transient_search.h): hits of movable and
+// unlabeled labels, and the points that go with them. Where there is no ground label, or a place
+// was visited once, nothing is removed.
 //
 // What a visit lost may have been all that spoke against calling a neighbouring cell free; so this
 // is repeated until nothing goes any more, and doing it once more changes nothing. Submaps outside

@@ -11,6 +11,7 @@
 #include "cartographer/common/nearest_name.h"
 #include "cartographer/common/options_loader.h"
 #include "cartographer/common/status.h"
+#include "cartographer/io/hidden_labels.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -42,13 +43,6 @@ absl::StatusOr<std::string> FindConfiguration(const std::string& file,
                        file, std::vector<std::string>(names.begin(), names.end()))));
 }
 
-absl::Status CheckHiddenLabels(const proto::RunOptions& options, const LabelSet& labels) {
-  for (const std::string& name : options.map_image().hide()) {
-    RETURN_IF_ERROR(labels.FromName(name).status());
-  }
-  return absl::OkStatus();
-}
-
 }  // namespace
 
 std::string InstalledConfigurationDirectory() {
@@ -67,8 +61,9 @@ absl::StatusOr<Configuration> LoadConfiguration(const std::string& file) {
   absl::StatusOr<LabelSet> labels = LoadLabelSet(configuration.options.label_set(), directories);
   if (!labels.ok()) return AddContext(labels.status(), absl::StrCat(path, ": label_set"));
   configuration.labels = *std::move(labels);
-  RETURN_IF_ERROR(AddContext(CheckHiddenLabels(configuration.options, configuration.labels),
-                             absl::StrCat(path, ": map_image.hide")));
+  const auto hidden =
+      cartographer::io::HiddenLabels(configuration.options.map_image(), configuration.labels);
+  RETURN_IF_ERROR(AddContext(hidden.status(), absl::StrCat(path, ": map_image")));
   configuration.lua = cartographer::common::OptionsToLua(configuration.options);
   return configuration;
 }

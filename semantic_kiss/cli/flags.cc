@@ -37,6 +37,8 @@ DEFINE_double(length, 0., "Length of a synthetic route in metres.");
 DEFINE_string(lidar, "", "The lidar: hdl64, os1_128, vlp16, or another one of the configuration.");
 DEFINE_string(map, "", "Map to read.");
 DEFINE_int32(min_hits, 0, "Remove cells of a submap that fewer points of a label hit.");
+DEFINE_bool(node_clouds, false,
+            "Take the points of the nodes, which know intensities, not those of the submaps.");
 DEFINE_int32(num_scans, 0, "Number of scans to use.");
 DEFINE_string(output, "",
               "Where results go. Existing results are replaced once new ones are whole.");
@@ -51,10 +53,13 @@ DEFINE_string(remove_role, "",
               "Roles whose labels are removed: moving, movable, critical, ground, unlabeled.");
 DEFINE_bool(remove_transient, false,
             "Remove movable and unlabeled things that one visit saw and another one did not.");
-DEFINE_double(resolution, 0., "Side of a pixel in metres.");
+DEFINE_double(resolution, 0.,
+              "Side of a pixel in metres; of point clouds, side of the cubes that hold one point "
+              "each, 0: all points.");
 DEFINE_string(route, "", "Synthetic route: city, highway or loop.");
 DEFINE_int64(seed, 0, "What the town and the lidar's errors are made from.");
 DEFINE_string(sequence, "00", "Sequence of the data set.");
+DEFINE_string(show, "", "The only labels that are used, separated by commas: building,fence.");
 DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
 DEFINE_string(trajectory, "", "Trajectories, by their numbers, separated by commas.");
 
@@ -82,6 +87,8 @@ const std::vector<FlagInfo>& Flags() {
       {"epoch", "N", G::kSelection, V::kNumber, "as configured", 0.},
       {"label_noise", "SHARE", G::kSelection, V::kNumber, "as configured", 0.},
       {"hide", "LABELS", G::kSelection, V::kText},
+      {"show", "LABELS", G::kSelection, V::kText, "all"},
+      {"node_clouds", "", G::kSelection, V::kNone},
       {"remove", "LABELS", G::kSelection, V::kText},
       {"remove_role", "ROLES", G::kSelection, V::kText},
       {"keep", "LABELS", G::kSelection, V::kText},

@@ -30,6 +30,7 @@ DECLARE_double(length);
 DECLARE_string(lidar);
 DECLARE_string(map);
 DECLARE_int32(min_hits);
+DECLARE_bool(node_clouds);
 DECLARE_int32(num_scans);
 DECLARE_string(output);
 DECLARE_bool(outside);
@@ -45,6 +46,7 @@ DECLARE_double(resolution);
 DECLARE_string(route);
 DECLARE_int64(seed);
 DECLARE_string(sequence);
+DECLARE_string(show);
 DECLARE_int32(threads);
 DECLARE_string(trajectory);
 

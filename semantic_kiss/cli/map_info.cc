@@ -25,16 +25,12 @@ std::string Line(const char* heading, const std::string& text) {
   return absl::StrFormat("%-12s %s\n", heading, text);
 }
 
-bool Occurs(const MapSummary::LabelCount& count) {
-  return count.hits + count.submap_points + count.node_points > 0;
-}
-
 std::string LabelTable(const MapSummary& summary) {
   std::string table = absl::StrFormat("\n%-20s %12s %14s %12s\n", "label", "grid hits",
                                       "submap points", "node points");
   for (size_t i = 0; i < summary.label_counts.size(); ++i) {
-    const MapSummary::LabelCount& count = summary.label_counts[i];
-    if (!Occurs(count)) continue;
+    const cartographer::map::LabelCount& count = summary.label_counts[i];
+    if (count.IsZero()) continue;
     absl::StrAppendFormat(&table, "%-20s %12d %14d %12d\n",
                           summary.labels.Name(Label{static_cast<uint8_t>(i)}), count.hits,
                           count.submap_points, count.node_points);
@@ -75,8 +71,8 @@ Json Trajectory(const MapSummary::Trajectory& trajectory) {
 Json Labels(const MapSummary& summary) {
   Json labels = Json::object();
   for (size_t i = 0; i < summary.label_counts.size(); ++i) {
-    const MapSummary::LabelCount& count = summary.label_counts[i];
-    if (!Occurs(count)) continue;
+    const cartographer::map::LabelCount& count = summary.label_counts[i];
+    if (count.IsZero()) continue;
     labels[summary.labels.Name(Label{static_cast<uint8_t>(i)})] = {
         {"hits", count.hits},
         {"submap_points", count.submap_points},

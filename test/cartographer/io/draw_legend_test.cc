@@ -8,11 +8,14 @@
 
 #include "cartographer/io/raster_shading.h"
 #include "test/cartographer/io/decoded_png.h"
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::RasterFromSketch;
+using semantic_kiss_testing::SketchLabel;
+using semantic_kiss_testing::SketchLabels;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 

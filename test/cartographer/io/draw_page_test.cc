@@ -10,10 +10,15 @@
 
 #include "glog/logging.h"
 #include "test/cartographer/io/decoded_png.h"
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::AddNode;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::RasterFromSketch;
+using semantic_kiss_testing::Sketch;
 
 constexpr uint32_t kRed = 0xffff0000;
 

@@ -11,10 +11,15 @@
 
 #include "glog/logging.h"
 #include "test/cartographer/io/decoded_png.h"
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::AddNode;
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::PlanarPose;
 
 constexpr uint32_t kGreen = 0xff00ff00;
 

@@ -8,10 +8,14 @@
 
 #include <cmath>
 
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::SketchLabel;
 
 const RasterFrame kFrame{0.1, 0., 20., 200, 200};
 

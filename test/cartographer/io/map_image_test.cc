@@ -15,12 +15,22 @@
 #include "cartographer/io/raster_shading.h"
 #include "glog/logging.h"
 #include "test/cartographer/io/decoded_png.h"
-#include "test/cartographer/io/map_sketch.h"
 #include "test/cartographer/io/on_threads.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::AddNode;
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::MapFromSketch;
+using semantic_kiss_testing::PlanarPose;
+using semantic_kiss_testing::Sketch;
+using semantic_kiss_testing::SketchLabel;
+using semantic_kiss_testing::SketchLabels;
+using semantic_kiss_testing::SubmapFromSketch;
+using semantic_kiss_testing::WholeFrame;
 using ::testing::HasSubstr;
 
 // The raster alone, a pixel a cell of 1 m, nothing cropped or filled.

@@ -187,7 +187,7 @@ TEST_F(MapStreamTest, SummaryCountsEverything) {
                    (last.map_from_node.translation() - first.map_from_node.translation()).norm());
   EXPECT_TRUE(summary->node_bounds_m.contains(first.map_from_node.translation()));
 
-  std::vector<MapSummary::LabelCount> expected(5);
+  std::vector<map::LabelCount> expected(5);
   for (const auto& [id, node] : map.nodes) {
     for (const sensor::Label label : node.cloud->labels) {
       ++expected[sensor::Index(label)].node_points;

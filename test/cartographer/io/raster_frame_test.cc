@@ -9,11 +9,20 @@
 #include <cmath>
 #include <limits>
 
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::AddNode;
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::MapFromSketch;
+using semantic_kiss_testing::PlanarPose;
+using semantic_kiss_testing::Sketch;
+using semantic_kiss_testing::SketchLabel;
+using semantic_kiss_testing::SubmapFromSketch;
+using semantic_kiss_testing::WholeFrame;
 using ::testing::HasSubstr;
 
 TEST(RasterFrameTest, RowsRunAgainstY) {

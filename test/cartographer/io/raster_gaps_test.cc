@@ -9,11 +9,16 @@
 #include <cmath>
 #include <random>
 
-#include "test/cartographer/io/map_sketch.h"
 #include "test/cartographer/io/on_threads.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::RasterFromSketch;
+using semantic_kiss_testing::Sketch;
+using semantic_kiss_testing::SketchLabels;
+using semantic_kiss_testing::SketchOf;
 
 // Pixels are 1 m wide.
 Sketch Filled(const Sketch& sketch, double width_m) {

@@ -6,11 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "test/cartographer/io/map_sketch.h"
 #include "test/cartographer/io/on_threads.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
+
+using semantic_kiss_testing::RasterFromSketch;
+using semantic_kiss_testing::Sketch;
+using semantic_kiss_testing::SketchLabel;
+using semantic_kiss_testing::SketchLabels;
 
 uint32_t Pixel(sensor::Color color) {
   return 0xff000000u | color.red << 16 | color.green << 8 | color.blue;

@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <random>
 
-#include "test/cartographer/io/map_sketch.h"
 #include "test/cartographer/io/on_threads.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::SketchLabel;
 using ::testing::Each;
 
 const RasterFrame kFrame{0.1, 0., 20., 200, 200};

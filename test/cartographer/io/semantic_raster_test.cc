@@ -10,12 +10,21 @@
 #include <numeric>
 #include <random>
 
-#include "test/cartographer/io/map_sketch.h"
 #include "test/cartographer/io/on_threads.h"
+#include "test/testing/map_sketch.h"
 
 namespace cartographer::io {
 namespace {
 
+using semantic_kiss_testing::AddSubmap;
+using semantic_kiss_testing::EmptyMap;
+using semantic_kiss_testing::MapFromSketch;
+using semantic_kiss_testing::PlanarPose;
+using semantic_kiss_testing::Sketch;
+using semantic_kiss_testing::SketchLabel;
+using semantic_kiss_testing::SketchOf;
+using semantic_kiss_testing::SubmapFromSketch;
+using semantic_kiss_testing::WholeFrame;
 using submap::CellIndex;
 using submap::SemanticGrid;
 

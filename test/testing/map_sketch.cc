@@ -1,7 +1,7 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "test/cartographer/io/map_sketch.h"
+#include "test/testing/map_sketch.h"
 
 #include <cctype>
 #include <map>
@@ -9,7 +9,14 @@
 
 #include "glog/logging.h"
 
-namespace cartographer::io {
+namespace semantic_kiss_testing {
+
+namespace io = cartographer::io;
+namespace map = cartographer::map;
+namespace sensor = cartographer::sensor;
+namespace submap = cartographer::submap;
+namespace transform = cartographer::transform;
+
 namespace {
 
 struct SketchClass {
@@ -99,8 +106,8 @@ transform::Rigid3d PlanarPose(double x, double y, double yaw_rad) {
           Eigen::Quaterniond(Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()))};
 }
 
-SemanticRaster RasterFromSketch(const Sketch& sketch) {
-  SemanticRaster raster;
+io::SemanticRaster RasterFromSketch(const Sketch& sketch) {
+  io::SemanticRaster raster;
   raster.frame = {1., 0., double(sketch.size()), static_cast<int>(sketch.front().size()),
                   static_cast<int>(sketch.size())};
   for (const std::string& row : sketch) {
@@ -112,7 +119,7 @@ SemanticRaster RasterFromSketch(const Sketch& sketch) {
   return raster;
 }
 
-Sketch SketchOf(const SemanticRaster& raster) {
+Sketch SketchOf(const io::SemanticRaster& raster) {
   std::map<sensor::Label, char> characters;
   for (const SketchClass& entry : kClasses) characters[SketchLabel(entry.name)] = entry.character;
   Sketch sketch(raster.frame.height);
@@ -127,10 +134,10 @@ Sketch SketchOf(const SemanticRaster& raster) {
   return sketch;
 }
 
-RasterFrame WholeFrame(const map::Map& map, double resolution_m) {
-  const auto frame = FrameOf(map, {}, {resolution_m, 4000, 0.});
+io::RasterFrame WholeFrame(const map::Map& map, double resolution_m) {
+  const auto frame = io::FrameOf(map, {}, {resolution_m, 4000, 0.});
   CHECK(frame.ok()) << frame.status();
   return *frame;
 }
 
-}  // namespace cartographer::io
+}  // namespace semantic_kiss_testing
