@@ -33,10 +33,12 @@ absl::StatusOr<RasterFrame> FrameFor(const map::Map& map, const sensor::LabelMas
   ASSIGN_OR_RETURN(const RasterFrame frame,
                    FrameOf(map, hidden, {wanted_m, options.max_side_px(), 0.}));
   if (frame.resolution_m == wanted_m || options.resolution_m() == 0.) return frame;
+  // Three digits, rounded up so that they suffice.
+  const double step_m = std::pow(10., std::floor(std::log10(frame.resolution_m)) - 2.);
   return absl::InvalidArgumentError(absl::StrFormat(
       "resolution: with pixels of %g m the map is larger than %d pixels a side (max_side_px); give "
       "%.3g m or more",
-      wanted_m, options.max_side_px(), std::ceil(1e3 * frame.resolution_m) / 1e3));
+      wanted_m, options.max_side_px(), std::ceil(frame.resolution_m / step_m) * step_m));
 }
 
 std::string PixelsOf(const SemanticRaster& raster, const sensor::LabelMask& ground) {

@@ -49,6 +49,9 @@ TEST(LabelCountTest, DifferencesAreTakenOneByOne) {
   EXPECT_EQ(difference[0].submap_points, 0u);
   EXPECT_EQ(difference[0].node_points, 3u);
   EXPECT_TRUE(difference[1].IsZero());
+}
+
+TEST(LabelCountDeathTest, NothingMayHaveBecomeMore) {
   EXPECT_DEATH(Difference({{1, 0, 0}}, {{2, 0, 0}}), "label 0");
 }
 
