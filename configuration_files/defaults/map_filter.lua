@@ -20,7 +20,7 @@ MAP_FILTER = {
     min_time_between_visits_s = 30.0,
     tolerance_m = 0.4,
     min_ground_hits = 2,
-    max_movable_share = 0.1,
+    max_movable_share = 0.05,
     max_height_difference_m = 3.0,
   },
 }
