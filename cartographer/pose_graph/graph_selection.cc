@@ -1,0 +1,85 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/pose_graph/graph_selection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cartographer::pose_graph {
+namespace {
+
+using submap::Constraint;
+using submap::NodeId;
+using submap::SubmapId;
+
+std::map<SubmapId, SubmapTie> FindTies(const Graph& graph) {
+  std::map<SubmapId, std::map<NodeId, const Constraint*>> nodes_of;
+  for (const Constraint& constraint : graph.constraints) {
+    if (constraint.kind != Constraint::Kind::kIntraSubmap) continue;
+    if (graph.frozen_trajectories.count(constraint.submap_id.trajectory_id) > 0) continue;
+    if (graph.nodes.count(constraint.node_id) == 0) continue;
+    if (graph.submaps.count(constraint.submap_id) == 0) continue;
+    nodes_of[constraint.submap_id][constraint.node_id] = &constraint;
+  }
+  std::map<SubmapId, SubmapTie> ties;
+  for (const auto& [submap_id, nodes] : nodes_of) {
+    const auto middle = std::next(nodes.begin(), nodes.size() / 2);
+    ties.emplace(submap_id, SubmapTie{middle->first, middle->second->submap_from_node});
+  }
+  return ties;
+}
+
+bool IsFinite(const Constraint& constraint) {
+  if (!constraint.submap_from_node.IsFinite()) return false;
+  if (constraint.information.has_value()) return constraint.information->allFinite();
+  return std::isfinite(constraint.translation_weight) && std::isfinite(constraint.rotation_weight);
+}
+
+// Trajectories by the first of those that they are tied to.
+class Groups {
+ public:
+  int FirstOf(int trajectory_id) {
+    const auto it = parent_.emplace(trajectory_id, trajectory_id).first;
+    if (it->second == trajectory_id) return trajectory_id;
+    return it->second = FirstOf(it->second);
+  }
+  void Unite(int a, int b) {
+    const auto [first, second] = std::minmax(FirstOf(a), FirstOf(b));
+    parent_[second] = first;
+  }
+
+ private:
+  std::map<int, int> parent_;
+};
+
+}  // namespace
+
+GraphSelection SelectFrom(const Graph& graph) {
+  GraphSelection selection;
+  selection.ties = FindTies(graph);
+  const auto is_frozen = [&graph](int id) { return graph.frozen_trajectories.count(id) > 0; };
+  Groups groups;
+  for (const Constraint& constraint : graph.constraints) {
+    const int of_node = constraint.node_id.trajectory_id;
+    const int of_submap = constraint.submap_id.trajectory_id;
+    if (constraint.kind != Constraint::Kind::kInterSubmap || !IsFinite(constraint)) continue;
+    if (graph.nodes.count(constraint.node_id) == 0) continue;
+    if (graph.submaps.count(constraint.submap_id) == 0) continue;
+    if (is_frozen(of_node) && is_frozen(of_submap)) continue;
+    if (!is_frozen(of_submap) && selection.ties.count(constraint.submap_id) == 0) continue;
+    selection.loops.push_back(&constraint);
+    groups.Unite(of_node, of_submap);
+    for (const int id : {of_node, of_submap}) {
+      if (!is_frozen(id)) selection.moving.insert(id);
+    }
+  }
+  std::set<int> held;
+  for (const int id : graph.frozen_trajectories) held.insert(groups.FirstOf(id));
+  for (const int id : selection.moving) {
+    if (held.insert(groups.FirstOf(id)).second) selection.anchored.insert(id);
+  }
+  return selection;
+}
+
+}  // namespace cartographer::pose_graph
