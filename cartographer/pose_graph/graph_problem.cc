@@ -182,8 +182,7 @@ double GraphProblem::CostWithoutLoops() {
   return cost;
 }
 
-GraphProblem::Progress GraphProblem::Solve(const std::vector<double>& weights,
-                                           int max_iterations) {
+GraphProblem::Progress GraphProblem::Solve(const std::vector<double>& weights, int max_iterations) {
   weights_ = weights;
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -197,8 +196,10 @@ GraphProblem::Progress GraphProblem::Solve(const std::vector<double>& weights,
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem_, &summary);
   if (getenv("VERBOSE")) {
-    if (atoi(getenv("VERBOSE")) > 1) LOG(INFO) << summary.FullReport();
-    else LOG(INFO) << summary.BriefReport() << " t " << summary.total_time_in_seconds;
+    if (atoi(getenv("VERBOSE")) > 1)
+      LOG(INFO) << summary.FullReport();
+    else
+      LOG(INFO) << summary.BriefReport() << " t " << summary.total_time_in_seconds;
   }
   return {summary.IsSolutionUsable(), summary.termination_type == ceres::CONVERGENCE,
           static_cast<int>(summary.iterations.size()) - 1};

@@ -54,6 +54,11 @@ void PlaceIndex::Add(const submap::SubmapId& id, PlaceDescriptor descriptor) {
 
 void PlaceIndex::Remove(const submap::SubmapId& id) { descriptors_.erase(id); }
 
+const PlaceDescriptor* PlaceIndex::Find(const submap::SubmapId& id) const {
+  const auto it = descriptors_.find(id);
+  return it == descriptors_.end() ? nullptr : &it->second;
+}
+
 std::vector<PlaceCandidate> PlaceIndex::Find(
     const PlaceDescriptor& query, int max_candidates,
     const std::function<bool(const submap::SubmapId&)>& allowed) const {

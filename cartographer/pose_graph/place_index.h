@@ -33,6 +33,8 @@ class PlaceIndex {
   // Does nothing if the submap is not in the index.
   void Remove(const submap::SubmapId& id);
   size_t size() const { return descriptors_.size(); }
+  // nullptr if the submap is not in the index.
+  const PlaceDescriptor* Find(const submap::SubmapId& id) const;
 
   // The submaps that agree best with the query, best first (the smaller id on ties), at most
   // `max_candidates`, among those that `allowed` lets in (called once for each, in ascending order,

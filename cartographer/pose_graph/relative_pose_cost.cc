@@ -58,8 +58,7 @@ bool RelativePoseCost::Evaluate(const double* const* poses, double* residuals,
 OdometryCost::OdometryCost(const OdometrySegment& segment, const Twist& systematic_sigmas)
     : end_from_start_(segment.odometry.inverse()),
       drift_(segment.drift * systematic_sigmas.asDiagonal()),
-      sqrt_information_(
-          segment.covariance.llt().matrixL().solve(Matrix6d(Matrix6d::Identity()))) {}
+      sqrt_information_(segment.covariance.llt().matrixL().solve(Matrix6d(Matrix6d::Identity()))) {}
 
 bool OdometryCost::Evaluate(const double* const* parameters, double* residuals,
                             double** jacobians) const {
@@ -72,8 +71,8 @@ bool OdometryCost::Evaluate(const double* const* parameters, double* residuals,
   const Matrix6d by_error = sqrt_information_ * transform::InverseRightJacobian(error);
   WritePoseJacobians(by_error, start_from_end.inverse(), jacobians);
   if (jacobians[2] != nullptr) {
-    Eigen::Map<TwistJacobian>{jacobians[2]} = -by_error * Adjoint(error_pose.inverse()) *
-                                              transform::RightJacobian(drift) * drift_;
+    Eigen::Map<TwistJacobian>{jacobians[2]} =
+        -by_error * Adjoint(error_pose.inverse()) * transform::RightJacobian(drift) * drift_;
   }
   return true;
 }

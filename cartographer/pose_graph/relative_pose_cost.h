@@ -22,8 +22,7 @@ namespace cartographer::pose_graph {
 transform::Matrix6d SquareRoot(const transform::Matrix6d& information);
 
 // sqrt(weight) * W * Log(a_from_b^-1 * map_from_a^-1 * map_from_b).
-class RelativePoseCost
-    : public ceres::SizedCostFunction<6, kPoseBlockSize, kPoseBlockSize> {
+class RelativePoseCost : public ceres::SizedCostFunction<6, kPoseBlockSize, kPoseBlockSize> {
  public:
   // `weight` is read at each evaluation; it is >= 0 and must outlive the cost.
   RelativePoseCost(const transform::Rigid3d& a_from_b, const transform::Matrix6d& sqrt_information,
@@ -39,8 +38,7 @@ class RelativePoseCost
 // W * Log((odometry * Exp(drift * S * u))^-1 * map_from_start^-1 * map_from_end), where W is from
 // the covariance of the segment. The third block is u, the systematic error of the odometry in
 // units of its expected size, S = diag(systematic_sigmas): twist_per_m = S * u.
-class OdometryCost
-    : public ceres::SizedCostFunction<6, kPoseBlockSize, kPoseBlockSize, 6> {
+class OdometryCost : public ceres::SizedCostFunction<6, kPoseBlockSize, kPoseBlockSize, 6> {
  public:
   OdometryCost(const OdometrySegment& segment, const transform::Twist& systematic_sigmas);
   bool Evaluate(const double* const* parameters, double* residuals,
