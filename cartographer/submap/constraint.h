@@ -24,10 +24,10 @@ struct Constraint {
   // How well, as inverse standard deviations [1/m, 1/rad].
   double translation_weight = 1.;
   double rotation_weight = 1.;
-  // The same in full, where it is known: the inverse covariance of Log(submap_from_node^-1 *
-  // truth), ordered as transform::Twist. It then overrides the weights.
-  std::optional<Eigen::Matrix<double, 6, 6>> information;
   Kind kind = Kind::kIntraSubmap;
+  // The weights in full, where they are known: the inverse covariance of Log(submap_from_node^-1 *
+  // truth), ordered as transform::Twist. It then overrides the weights.
+  std::optional<Eigen::Matrix<double, 6, 6>> information = std::nullopt;
 };
 
 }  // namespace cartographer::submap
