@@ -3,6 +3,7 @@
 
 #include "cartographer/pose_graph/closure_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -22,6 +23,10 @@ using scan_matching::MatchingScan;
 using submap::NodeId;
 using submap::SubmapId;
 using transform::Rigid3d;
+
+// What candidates share (a node's scan, a submap's surfaces) is made once for as many as this, and
+// then dropped: neighbours come one after the other, and memory stays bounded.
+constexpr size_t kCandidatesAtOnce = 64;
 
 constexpr size_t kBytesPerMiB = size_t{1} << 20;
 
@@ -70,14 +75,24 @@ ClosureSearch::ClosureSearch(const proto::PoseGraphOptions& options,
 
 std::vector<SearchedCandidate> ClosureSearch::Search(
     const std::vector<ClosureCandidate>& candidates, const Graph& graph) {
+  std::vector<SearchedCandidate> results;
+  for (size_t begin = 0; begin < candidates.size(); begin += kCandidatesAtOnce) {
+    const size_t end = std::min(candidates.size(), begin + kCandidatesAtOnce);
+    SearchSome({candidates.begin() + begin, candidates.begin() + end}, graph, &results);
+  }
+  return results;
+}
+
+void ClosureSearch::SearchSome(const std::vector<ClosureCandidate>& candidates, const Graph& graph,
+                               std::vector<SearchedCandidate>* results) {
   const Scans scans = MakeScans(candidates, graph);
   const Targets targets = MakeTargets(candidates, graph);
-  std::vector<SearchedCandidate> results(candidates.size());
+  const size_t first = results->size();
+  results->resize(first + candidates.size());
   common::ParallelChunks(candidates.size(), 1, [&](size_t i, size_t) {
-    results[i] = SearchOne(candidates[i], *scans.at(candidates[i].node_id),
-                           *targets.at(candidates[i].submap_id), graph);
+    (*results)[first + i] = SearchOne(candidates[i], *scans.at(candidates[i].node_id),
+                                      *targets.at(candidates[i].submap_id), graph);
   });
-  return results;
 }
 
 ClosureSearch::Scans ClosureSearch::MakeScans(const std::vector<ClosureCandidate>& candidates,

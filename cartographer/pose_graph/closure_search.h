@@ -43,6 +43,9 @@ class ClosureSearch {
   using Scans = std::map<submap::NodeId, std::shared_ptr<const scan_matching::MatchingScan>>;
   using Targets = std::map<submap::SubmapId, std::shared_ptr<const ClosureTarget>>;
 
+  // Appends to the results.
+  void SearchSome(const std::vector<ClosureCandidate>& candidates, const Graph& graph,
+                  std::vector<SearchedCandidate>* results);
   Scans MakeScans(const std::vector<ClosureCandidate>& candidates, const Graph& graph) const;
   Targets MakeTargets(const std::vector<ClosureCandidate>& candidates, const Graph& graph) const;
   std::shared_ptr<const ClosureTarget> MakeTarget(const submap::SubmapId& submap_id,
