@@ -4,6 +4,8 @@
 #include "cartographer/pose_graph/graph_selection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace cartographer::pose_graph {
