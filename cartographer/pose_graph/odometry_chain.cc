@@ -6,7 +6,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "glog/logging.h"
 
@@ -28,19 +27,28 @@ Twist ToTwist(const proto::PoseSigmas& sigmas) {
   return twist;
 }
 
-OdometryChain::OdometryChain(const proto::OdometryErrorOptions& options,
-                             std::vector<Rigid3d> local_from_node)
-    : variances_per_m_(ToTwist(options.random()).cwiseAbs2()),
-      min_step_m_(options.min_step_m()),
-      local_from_node_(std::move(local_from_node)) {
-  CHECK(!local_from_node_.empty());
-  distance_m_.reserve(local_from_node_.size());
-  distance_m_.push_back(0.);
-  for (size_t i = 1; i < local_from_node_.size(); ++i) {
-    distance_m_.push_back(
-        distance_m_.back() +
-        (local_from_node_[i].translation() - local_from_node_[i - 1].translation()).norm());
+Twist PositiveSigmas(const proto::PoseSigmas& sigmas) { return ToTwist(sigmas).cwiseMax(1e-6); }
+
+OdometryChain::OdometryChain(const proto::OdometryErrorOptions& options, const Graph& graph,
+                             int trajectory_id)
+    : variances_per_m_(PositiveSigmas(options.random()).cwiseAbs2()),
+      min_step_m_(options.min_step_m()) {
+  for (auto it = graph.nodes.lower_bound(submap::NodeId{trajectory_id, 0});
+       it != graph.nodes.end() && it->first.trajectory_id == trajectory_id; ++it) {
+    const Rigid3d& pose = it->second.local_from_node;
+    const double step_m =
+        ids_.empty() ? 0. : (pose.translation() - local_from_node_.back().translation()).norm();
+    distance_m_.push_back(ids_.empty() ? 0. : distance_m_.back() + step_m);
+    ids_.push_back(it->first);
+    local_from_node_.push_back(pose);
   }
+  CHECK(!ids_.empty());
+}
+
+int OdometryChain::IndexOf(const submap::NodeId& id) const {
+  const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
+  CHECK(it != ids_.end() && *it == id);
+  return static_cast<int>(it - ids_.begin());
 }
 
 void OdometryChain::AppendStep(int node, OdometrySegment* segment) const {

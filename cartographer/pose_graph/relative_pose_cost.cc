@@ -4,7 +4,6 @@
 #include "cartographer/pose_graph/relative_pose_cost.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace cartographer::pose_graph {
@@ -32,12 +31,6 @@ void WritePoseJacobians(const Matrix6d& by_error, const Rigid3d& b_from_a, doubl
 }
 
 }  // namespace
-
-Matrix6d SquareRoot(const Matrix6d& information) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(information);
-  return solver.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal() *
-         solver.eigenvectors().transpose();
-}
 
 RelativePoseCost::RelativePoseCost(const Rigid3d& a_from_b, const Matrix6d& sqrt_information,
                                    const double* weight)

@@ -17,10 +17,6 @@ namespace cartographer::pose_graph {
 // measurement of one in the frame of the other, in units of its standard deviation. Derivatives are
 // exact, and by the twists that pose_block.h tells of.
 
-// A W with W^T * W = information, for any symmetric positive semidefinite matrix (what is negative
-// by rounding counts as 0).
-transform::Matrix6d SquareRoot(const transform::Matrix6d& information);
-
 // sqrt(weight) * W * Log(a_from_b^-1 * map_from_a^-1 * map_from_b).
 class RelativePoseCost : public ceres::SizedCostFunction<6, kPoseBlockSize, kPoseBlockSize> {
  public:
