@@ -8,66 +8,65 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "cartographer/pose_graph/bearing_transform.h"
+#include "cartographer/pose_graph/place_channels.h"
+#include "cartographer/pose_graph/place_layers.h"
 #include "cartographer/pose_graph/proto/place_recognition_options.pb.h"
-#include "cartographer/scan_matching/score_model.h"
 #include "cartographer/sensor/label_set.h"
-#include "cartographer/sensor/labeled_point_cloud.h"
-#include "cartographer/transform/rigid_transform.h"
 
 namespace cartographer::pose_graph {
 
-// What stands around a point, by channel of labels: a plain value that is compared with others of
-// the same PlaceDescriber.
-//
-// The surroundings are cut into rings, and the amount of a channel on a ring, a function of the
-// bearing, is kept as its first Fourier coefficients: turning the place by an angle multiplies
-// coefficient k by exp(-i k angle), so that all headings are compared at once.
+// What stands around a point: a plain value that is compared with others of the same
+// PlaceDescriber.
 struct PlaceDescriptor {
   // The point, in the frame that was described.
   Eigen::Vector2d center{0., 0.};
-  // Real and imaginary parts of coefficient 1, ..., num_harmonics of every row (a row: a ring of a
-  // channel), row by row; scaled so that two places that agree in all compare as 1. Empty: there is
-  // nothing around the point.
-  std::vector<float> coefficients;
+  // The place as seen from a square grid of points around the centre, row by row (x, then y
+  // ascending), by which it is compared with places whose centres are not quite the same. The
+  // middle one is the view from the centre. None: nothing stands around the centre.
+  std::vector<BearingSpectrum> views;
 
-  bool empty() const { return coefficients.empty(); }
+  bool empty() const { return views.empty(); }
 };
 
 // Describes places. An immutable value.
+//
+// The clouds are drawn from above as one image for each channel of labels, blurred by metres
+// (place_layers.h). A view samples the images on rings around its point; the amount on a ring is a
+// function of the bearing, of which the first Fourier coefficients are kept (bearing_transform.h),
+// so that two views are compared at all headings at once. Every channel is scaled to its weight, so
+// that a few poles count as much as many houses, and all together are scaled to 1.
+//
+// Related: the rings and sectors of Kim and Kim, *Scan Context*, IROS 2018; with labels: Li et al.,
+// *SSC: Semantic Scan Context for Large-Scale Place Recognition*, IROS 2021.
 class PlaceDescriber {
  public:
-  // A cloud and where it stands in the frame that is described.
-  struct Part {
-    const sensor::LabeledPointCloud& cloud;
-    transform::Rigid3d frame_from_cloud;
-  };
-
   // Errors name the group, as those of scan_matching::ScoreModel.
   static absl::StatusOr<PlaceDescriber> Create(const proto::PlaceRecognitionOptions& options,
                                                const sensor::LabelSet& labels);
 
-  // What the clouds show around `center`, a point of their common frame, which must be level. A
-  // finished submap's cloud is one part; a short drive's clouds are several. `center` should be
-  // where they were taken from, the middle of the way. Points that are not finite are left out.
-  PlaceDescriptor Describe(const std::vector<Part>& parts, const Eigen::Vector2d& center) const;
+  // What the clouds show around `center`, a point of their common frame. A finished submap's cloud
+  // is one part; a short drive's clouds are several. `center` should be the middle of the way on
+  // which they were taken.
+  PlaceDescriptor Describe(const std::vector<PlacePart>& parts,
+                           const Eigen::Vector2d& center) const;
 
-  int num_rows() const { return num_channels_ * num_rings_; }
-  int num_harmonics() const { return num_harmonics_; }
+  // Views are a grid of so many by so many points, so far apart [m].
+  int views_per_side() const { return 2 * options_.num_shifts() + 1; }
+  double shift_m() const { return options_.shift_m(); }
+  // For the comparison of views.
+  const BearingTransform& transform() const { return transform_; }
 
  private:
-  PlaceDescriber(const proto::PlaceRecognitionOptions& options, scan_matching::ScoreModel model);
+  PlaceDescriber(const proto::PlaceRecognitionOptions& options, PlaceChannels channels);
 
-  // Adds the points of a part to the polar cells, row by row.
-  void AddPoints(const Part& part, const Eigen::Vector2d& center,
-                 std::vector<float>* amounts) const;
+  BearingSpectrum LookFrom(const Eigen::Vector2d& shift,
+                           const std::vector<PlaceLayer>& layers) const;
+  void Scale(BearingSpectrum* spectrum) const;
 
-  scan_matching::ScoreModel model_;
-  int num_channels_;
-  int num_rings_;
-  int num_harmonics_;
-  double radius_m_;
-  // By channel: weight, and points per m^2 from which on a cell is full.
-  std::vector<float> weights_, saturations_;
+  proto::PlaceRecognitionOptions options_;
+  PlaceChannels channels_;
+  BearingTransform transform_;
 };
 
 }  // namespace cartographer::pose_graph

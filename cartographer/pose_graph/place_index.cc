@@ -4,7 +4,6 @@
 #include "cartographer/pose_graph/place_index.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "cartographer/common/parallel.h"
@@ -13,50 +12,50 @@
 namespace cartographer::pose_graph {
 namespace {
 
-constexpr size_t kPlacesPerChunk = 16;
+// Small enough to occupy all threads, large enough that the query stays in the cache.
+constexpr size_t kPlacesPerChunk = 32;
 
-struct Agreement {
-  double yaw_rad;
-  double score;
-};
-
-// The heading at which two descriptors agree best: the correlation over all headings, by way of
-// its Fourier coefficients, of which each is the sum over the rows of target * conj(query).
-Agreement Compare(const PlaceDescriptor& query, const PlaceDescriptor& target, int num_harmonics) {
-  std::vector<float> real(num_harmonics, 0.f), imaginary(num_harmonics, 0.f);
-  for (size_t row = 0; row < query.coefficients.size(); row += 2 * num_harmonics) {
-    const float* const q = &query.coefficients[row];
-    const float* const t = &target.coefficients[row];
-    for (int k = 0; k < num_harmonics; ++k) {
-      real[k] += t[2 * k] * q[2 * k] + t[2 * k + 1] * q[2 * k + 1];
-      imaginary[k] += t[2 * k + 1] * q[2 * k] - t[2 * k] * q[2 * k + 1];
-    }
-  }
-  const int num_headings = 8 * num_harmonics;
-  Agreement best{0., -2.};
-  for (int h = 0; h < num_headings; ++h) {
-    const double yaw = 2. * M_PI * h / num_headings;
-    double sum = 0.;
-    for (int k = 0; k < num_harmonics; ++k) {
-      sum += real[k] * std::cos((k + 1) * yaw) - imaginary[k] * std::sin((k + 1) * yaw);
-    }
-    if (sum > best.score) best = {yaw, sum};
-  }
-  best.yaw_rad = std::remainder(best.yaw_rad, 2. * M_PI);
-  return best;
+// Where between the views the agreement is best, in steps from the best view: by a parabola along
+// an axis, if there is a view to both sides.
+double StepBetweenViews(const std::vector<BearingTransform::Agreement>& agreements, int best,
+                        int place_in_row, int views_per_side, int stride) {
+  if (place_in_row == 0 || place_in_row == views_per_side - 1) return 0.;
+  const double middle = agreements[best].score;
+  const double before = agreements[best - stride].score, after = agreements[best + stride].score;
+  const double curvature = before - 2. * middle + after;
+  return curvature < 0. ? 0.5 * (before - after) / curvature : 0.;
 }
 
 }  // namespace
 
-void PlaceIndex::Add(const submap::SubmapId& id, PlaceDescriptor descriptor) {
-  descriptors_[id] = std::move(descriptor);
+void PlaceIndex::Add(const submap::SubmapId& id, const PlaceDescriptor& descriptor) {
+  Remove(id);
+  if (descriptor.empty()) return;
+  places_[id] = {descriptor.center, descriptor.views[descriptor.views.size() / 2]};
 }
 
-void PlaceIndex::Remove(const submap::SubmapId& id) { descriptors_.erase(id); }
+void PlaceIndex::Remove(const submap::SubmapId& id) { places_.erase(id); }
 
-const PlaceDescriptor* PlaceIndex::Find(const submap::SubmapId& id) const {
-  const auto it = descriptors_.find(id);
-  return it == descriptors_.end() ? nullptr : &it->second;
+PlaceCandidate PlaceIndex::Compare(const PlaceDescriptor& query, const submap::SubmapId& id,
+                                   const Place& place) const {
+  std::vector<BearingTransform::Agreement> agreements;
+  agreements.reserve(query.views.size());
+  for (const BearingSpectrum& view : query.views) {
+    agreements.push_back(describer_.transform().FindBestHeading(view, place.view));
+  }
+  int best = 0;
+  for (int i = 1; i < static_cast<int>(agreements.size()); ++i) {
+    if (agreements[i].score > agreements[best].score) best = i;
+  }
+  const int side = describer_.views_per_side();
+  const int x = best % side, y = best / side;
+  const Eigen::Vector2d steps(x - side / 2 + StepBetweenViews(agreements, best, x, side, 1),
+                              y - side / 2 + StepBetweenViews(agreements, best, y, side, side));
+  const Eigen::Vector2d viewpoint = query.center + steps * describer_.shift_m();
+  const double yaw_rad = agreements[best].yaw_rad;
+  return {id,
+          {place.center - Eigen::Rotation2Dd(yaw_rad) * viewpoint, yaw_rad},
+          agreements[best].score};
 }
 
 std::vector<PlaceCandidate> PlaceIndex::Find(
@@ -64,18 +63,14 @@ std::vector<PlaceCandidate> PlaceIndex::Find(
     const std::function<bool(const submap::SubmapId&)>& allowed) const {
   CHECK_GE(max_candidates, 0);
   if (query.empty()) return {};
-  std::vector<std::pair<submap::SubmapId, const PlaceDescriptor*>> places;
-  for (const auto& [id, descriptor] : descriptors_) {
-    if (!descriptor.empty() && (!allowed || allowed(id))) places.emplace_back(id, &descriptor);
+  std::vector<const std::pair<const submap::SubmapId, Place>*> places;
+  for (const auto& place : places_) {
+    if (!allowed || allowed(place.first)) places.push_back(&place);
   }
   std::vector<PlaceCandidate> candidates(places.size());
   common::ParallelChunks(places.size(), kPlacesPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const PlaceDescriptor& target = *places[i].second;
-      const Agreement agreement = Compare(query, target, describer_.num_harmonics());
-      const Eigen::Vector2d query_center = Eigen::Rotation2Dd(agreement.yaw_rad) * query.center;
-      candidates[i] = {
-          places[i].first, {target.center - query_center, agreement.yaw_rad}, agreement.score};
+      candidates[i] = Compare(query, places[i]->first, places[i]->second);
     }
   });
   const size_t num_kept = std::min(candidates.size(), static_cast<size_t>(max_candidates));

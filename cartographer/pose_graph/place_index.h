@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "cartographer/pose_graph/bearing_transform.h"
 #include "cartographer/pose_graph/place_descriptor.h"
 #include "cartographer/scan_matching/planar_pose.h"
 #include "cartographer/submap/id.h"
@@ -17,35 +18,44 @@ namespace cartographer::pose_graph {
 // A submap that may show the place that was asked for.
 struct PlaceCandidate {
   submap::SubmapId submap_id;
-  // Rough: where the query's frame then stands in the submap's.
+  // Where the query's frame then stands in the submap's; rough.
   scan_matching::PlanarPose submap_from_query;
-  double score;  // 1: the places agree in all; the higher the better
+  // In (0, 1]; 1: the places agree in all.
+  double score;
 };
 
 // The places of all finished submaps, to be searched without any idea of where one is.
 class PlaceIndex {
  public:
-  // Descriptors must come from describers of the same options and label set.
+  // Descriptors must all come from this describer or one of the same options and label set.
   explicit PlaceIndex(const PlaceDescriber& describer) : describer_(describer) {}
 
-  // Replaces what was known of the submap. An empty descriptor is never found.
-  void Add(const submap::SubmapId& id, PlaceDescriptor descriptor);
+  // Replaces what was known of the submap. Only the view from the centre is kept. An empty
+  // descriptor is never found.
+  void Add(const submap::SubmapId& id, const PlaceDescriptor& descriptor);
   // Does nothing if the submap is not in the index.
   void Remove(const submap::SubmapId& id);
-  size_t size() const { return descriptors_.size(); }
-  // nullptr if the submap is not in the index.
-  const PlaceDescriptor* Find(const submap::SubmapId& id) const;
+  size_t size() const { return places_.size(); }
 
   // The submaps that agree best with the query, best first (the smaller id on ties), at most
   // `max_candidates`, among those that `allowed` lets in (called once for each, in ascending order,
-  // by the calling thread); an empty function allows all. None for an empty query.
+  // by the calling thread); an empty function allows all. None for an empty query. Every allowed
+  // place is compared, in parallel, at all headings and from all views of the query.
   std::vector<PlaceCandidate> Find(
       const PlaceDescriptor& query, int max_candidates,
       const std::function<bool(const submap::SubmapId&)>& allowed) const;
 
  private:
+  struct Place {
+    Eigen::Vector2d center;
+    BearingSpectrum view;
+  };
+
+  PlaceCandidate Compare(const PlaceDescriptor& query, const submap::SubmapId& id,
+                         const Place& place) const;
+
   PlaceDescriber describer_;
-  std::map<submap::SubmapId, PlaceDescriptor> descriptors_;
+  std::map<submap::SubmapId, Place> places_;
 };
 
 }  // namespace cartographer::pose_graph

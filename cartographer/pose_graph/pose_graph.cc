@@ -117,22 +117,25 @@ std::vector<NodeId> PoseGraph::KeepReady(const std::vector<NodeId>& node_ids,
   return ready;
 }
 
+PlaceDescriptor PoseGraph::Describe(const SubmapId& submap_id, const Topology& topology) const {
+  const Submap& submap = *graph_.submaps.at(submap_id).submap;
+  const PlacedNode& middle = graph_.nodes.at(*topology.MiddleNode(submap_id));
+  const transform::Rigid3d submap_from_middle =
+      submap.local_from_submap.inverse() * middle.local_from_node;
+  return describer_.Describe({{submap.cloud, transform::Rigid3d::Identity()}},
+                             submap_from_middle.translation().head<2>());
+}
+
 void PoseGraph::DescribeFinishedSubmaps(const Topology& topology) {
   std::vector<SubmapId> ids;
   for (const auto& [id, placed] : graph_.submaps) {
-    const bool known = places_.Find(id) != nullptr;
-    if (placed.submap->finished && !known && topology.MiddleNode(id) != nullptr) ids.push_back(id);
+    if (!placed.submap->finished || topology.MiddleNode(id) == nullptr) continue;
+    if (described_.insert(id).second) ids.push_back(id);
   }
   std::vector<PlaceDescriptor> descriptors(ids.size());
-  common::ParallelChunks(ids.size(), 1, [&](size_t i, size_t) {
-    const Submap& submap = *graph_.submaps.at(ids[i]).submap;
-    const PlacedNode& middle = graph_.nodes.at(*topology.MiddleNode(ids[i]));
-    const transform::Rigid3d submap_from_middle =
-        submap.local_from_submap.inverse() * middle.local_from_node;
-    descriptors[i] = describer_.Describe({{submap.cloud, transform::Rigid3d::Identity()}},
-                                         submap_from_middle.translation().head<2>());
-  });
-  for (size_t i = 0; i < ids.size(); ++i) places_.Add(ids[i], std::move(descriptors[i]));
+  common::ParallelChunks(ids.size(), 1,
+                         [&](size_t i, size_t) { descriptors[i] = Describe(ids[i], topology); });
+  for (size_t i = 0; i < ids.size(); ++i) places_.Add(ids[i], descriptors[i]);
 }
 
 std::vector<ClosureCandidate> PoseGraph::FindCandidates(const std::vector<NodeId>& node_ids,
@@ -173,7 +176,7 @@ std::vector<ClosureCandidate> PoseGraph::ProposedCandidates(const NodeId& node_i
   const std::set<SubmapId> allowed(among.begin(), among.end());
   std::vector<ClosureCandidate> candidates;
   for (const PlaceCandidate& place :
-       places_.Find(*places_.Find(own_id), options_.candidates().max_places(),
+       places_.Find(Describe(own_id, topology), options_.candidates().max_places(),
                     [&](const SubmapId& id) { return allowed.count(id) > 0; })) {
     candidates.push_back(CandidateAtPlace(node_id, place, own_from_node, options_.candidates()));
   }

@@ -67,6 +67,7 @@ class PoseGraph {
   // Steps of a round.
   std::vector<submap::NodeId> KeepReady(const std::vector<submap::NodeId>& node_ids,
                                         const Topology& topology);
+  PlaceDescriptor Describe(const submap::SubmapId& submap_id, const Topology& topology) const;
   void DescribeFinishedSubmaps(const Topology& topology);
   std::vector<ClosureCandidate> FindCandidates(const std::vector<submap::NodeId>& node_ids,
                                                const Topology& topology) const;
@@ -89,6 +90,7 @@ class PoseGraph {
   Graph graph_;
   ClosureSearch search_;
   PlaceIndex places_;
+  std::set<submap::SubmapId> described_;
 
   // Of the trajectory that grows.
   transform::Rigid3d map_from_local_;

@@ -21,13 +21,19 @@ PLACE_RECOGNITION = {
     group("moving", { "moving" }, 0.0, 1, false),
     -- Others may be parked there the next time.
     group("movable", { "movable" }, 0.0, 1, false),
-    group("critical", { "critical" }, 1.0, 1, false),
-    group("ground", { "ground" }, 1.0, 4, true),
+    group("critical", { "critical" }, 1.0, 4, false),
+    -- The lanes look alike everywhere.
+    group("ground", { "ground" }, 0.0, 1, false),
     group("unlabeled", { "unlabeled" }, 1.0, 4, false),
     -- The rest: buildings, fences, vegetation, trunks.
     group("structure", {}, 1.0, 4, true),
   },
-  radius_m = 50.0,
-  num_rings = 12,
-  num_harmonics = 16,
+  min_height_m = 0.5,
+  cell_m = 2.0,
+  blur_m = 2.5,
+  radius_m = 48.0,
+  num_rings = 8,
+  num_harmonics = 8,
+  num_shifts = 1,
+  shift_m = 5.0,
 }

@@ -91,8 +91,8 @@ struct Scene {
 
   const scan_matching::proto::ScanMatchingOptions matching =
       LoadDefaults<scan_matching::proto::ScanMatchingOptions>("scan_matching.lua", "SCAN_MATCHING");
-  const proto::VerificationOptions verification = LoadDefaults<proto::VerificationOptions>(
-      "closure_verification.lua", "CLOSURE_VERIFICATION");
+  const proto::VerificationOptions verification =
+      LoadDefaults<proto::VerificationOptions>("closure_verification.lua", "CLOSURE_VERIFICATION");
   const map::Map map;
   const submap::PlacedNode& node;
   const submap::Submap& submap;
@@ -160,8 +160,9 @@ void BM_ClosureVerify(benchmark::State& state) {
   const ClosureTarget target = scene.MakeTarget();
   ClosureReport report;
   for (auto _ : state) {
-    report = VerifyClosure(*scene.node.cloud, scan_matching::InSpace(scene.NearTruth()) * scene.tilt,
-                           target, scene.verification);
+    report =
+        VerifyClosure(*scene.node.cloud, scan_matching::InSpace(scene.NearTruth()) * scene.tilt,
+                      target, scene.verification);
   }
   CHECK(report.accepted()) << VerdictName(report.verdict);
   ReportError(report.submap_from_node, state);
