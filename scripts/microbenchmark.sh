@@ -11,7 +11,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cmake --preset release -D SEMANTIC_KISS_BENCHMARKS=ON >/dev/null
-cmake --build --preset release --target odometry_benchmark scan_matching_benchmark
-for stage in odometry scan_matching; do
+cmake --build --preset release --target odometry_benchmark scan_matching_benchmark \
+  simulation_benchmark
+for stage in odometry scan_matching simulation; do
   SEMANTIC_KISS_SOURCE_DIR=$PWD build/bin/${stage}_benchmark "$@"
 done
