@@ -15,7 +15,7 @@
 #include "cartographer/common/options_loader.h"
 #include "cartographer/pose_graph/verify_closure.h"
 #include "cartographer/scan_matching/refine_in_plane.h"
-#include "cartographer/slam/map_builder.h"
+#include "cartographer/slam/local_trajectory_builder.h"
 #include "glog/logging.h"
 #include "semantic_kiss/local_trajectory_builder.h"
 #include "tbb/global_control.h"
@@ -51,35 +51,43 @@ std::vector<sensor::LabeledScan> Scans() {
   return semantic_kiss_testing::ReadScans(directory.path());
 }
 
-map::Map MapOfScans() {
-  auto options = semantic_kiss_testing::ShippedOptions();
-  // Finished before the last node, so that this comes from outside.
-  options.mutable_submaps()->set_scans_per_submap(12);
-  const sensor::LabelSet labels = semantic_kiss_testing::ShippedLabels();
-  slam::MapBuilder builder(std::make_unique<semantic_kiss::LocalTrajectoryBuilder>(options, labels),
-                           labels);
-  for (const sensor::LabeledScan& scan : Scans()) builder.AddScan(scan);
-  return builder.Finish();
-}
-
 // The last node, and the first submap that it might close a loop with.
+struct Drive {
+  Drive() {
+    auto options = semantic_kiss_testing::ShippedOptions();
+    // Finished before the last node, so that this comes from outside.
+    options.mutable_submaps()->set_scans_per_submap(12);
+    semantic_kiss::LocalTrajectoryBuilder builder(options, labels);
+    for (const sensor::LabeledScan& scan : Scans()) {
+      const slam::LocalResult result = builder.AddScan(scan);
+      if (!result.insertion.has_value()) continue;
+      local_from_node = result.local_from_sensor;
+      cloud = result.insertion->cloud;
+      if (submap == nullptr) submap = result.insertion->submaps.begin()->second;
+    }
+    CHECK(submap->finished);
+  }
+
+  const sensor::LabelSet labels = semantic_kiss_testing::ShippedLabels();
+  std::shared_ptr<const submap::Submap> submap;
+  Rigid3d local_from_node;
+  std::shared_ptr<const sensor::LabeledPointCloud> cloud;
+};
+
 struct Scene {
   Scene()
-      : map(MapOfScans()),
-        node(map.nodes.rbegin()->second),
-        submap(*map.submaps.begin()->second.submap),
-        model(scan_matching::ScoreModel::Create(matching.score(), map.labels).value()),
-        matcher(submap.grid, model),
-        truth(submap.local_from_submap.inverse() * node.local_from_node),
-        tilt(transform::Level(node.local_from_node).inverse() * node.local_from_node),
-        level_cloud(*node.cloud) {
+      : model(scan_matching::ScoreModel::Create(matching.score(), drive.labels).value()),
+        matcher(drive.submap->grid, model),
+        truth(drive.submap->local_from_submap.inverse() * drive.local_from_node),
+        tilt(transform::Level(drive.local_from_node).inverse() * drive.local_from_node),
+        level_cloud(*drive.cloud) {
     for (Eigen::Vector3f& position : level_cloud.positions) {
       position = (tilt * position.cast<double>().eval()).cast<float>();
     }
   }
 
   ClosureTarget MakeTarget() const {
-    return ClosureTarget({{&submap.cloud, Rigid3d::Identity()}}, map.labels, verification);
+    return ClosureTarget({{&drive.submap->cloud, Rigid3d::Identity()}}, drive.labels, verification);
   }
   // As far off as a match is.
   PlanarPose NearTruth() const {
@@ -93,9 +101,7 @@ struct Scene {
       LoadDefaults<scan_matching::proto::ScanMatchingOptions>("scan_matching.lua", "SCAN_MATCHING");
   const proto::VerificationOptions verification =
       LoadDefaults<proto::VerificationOptions>("closure_verification.lua", "CLOSURE_VERIFICATION");
-  const map::Map map;
-  const submap::PlacedNode& node;
-  const submap::Submap& submap;
+  const Drive drive;
   const scan_matching::ScoreModel model;
   const SubmapMatcher matcher;
   const Rigid3d truth;  // submap_from_node by the odometry, a few metres farther on
@@ -112,7 +118,7 @@ void ReportError(const Rigid3d& pose, benchmark::State& state) {
   const Rigid3d error = TheScene().truth.inverse() * pose;
   state.counters["error_m"] = error.translation().norm();
   state.counters["error_deg"] = transform::RotationAngle(error) * 180. / M_PI;
-  state.counters["points"] = static_cast<double>(TheScene().node.cloud->size());
+  state.counters["points"] = static_cast<double>(TheScene().drive.cloud->size());
 }
 
 void BM_ClosureMatch(benchmark::State& state) {
@@ -150,7 +156,7 @@ BENCHMARK(BM_ClosureRefineInPlane)->Unit(benchmark::kMillisecond);
 void BM_ClosureMakeTarget(benchmark::State& state) {
   const Scene& scene = TheScene();
   for (auto _ : state) benchmark::DoNotOptimize(scene.MakeTarget());
-  state.counters["points"] = static_cast<double>(scene.submap.cloud.size());
+  state.counters["points"] = static_cast<double>(scene.drive.submap->cloud.size());
 }
 BENCHMARK(BM_ClosureMakeTarget)->Unit(benchmark::kMillisecond);
 
@@ -161,7 +167,7 @@ void BM_ClosureVerify(benchmark::State& state) {
   ClosureReport report;
   for (auto _ : state) {
     report =
-        VerifyClosure(*scene.node.cloud, scan_matching::InSpace(scene.NearTruth()) * scene.tilt,
+        VerifyClosure(*scene.drive.cloud, scan_matching::InSpace(scene.NearTruth()) * scene.tilt,
                       target, scene.verification);
   }
   CHECK(report.accepted()) << VerdictName(report.verdict);
