@@ -94,6 +94,17 @@ class Judge {
   const OdometryUncertainty uncertainty_;
 };
 
+// Calls visit(j) for the loops beside loops[i], itself included, that say the same as it.
+template <typename Visitor>
+void ForAllAlike(const std::vector<std::optional<Loop>>& loops, size_t i, const Judge& judge,
+                 double tolerance, const Visitor& visit) {
+  for (size_t j = 0; j < loops.size(); ++j) {
+    if (!loops[j].has_value() || loops[j]->trajectory_id != loops[i]->trajectory_id) continue;
+    if (!judge.AreNeighbours(*loops[i], *loops[j])) continue;
+    if (judge.AgainstLoop(*loops[i], *loops[j]) <= tolerance) visit(j);
+  }
+}
+
 }  // namespace
 
 std::vector<bool> FindPlausibleLoops(const proto::OptimizationOptions& options,
@@ -106,21 +117,30 @@ std::vector<bool> FindPlausibleLoops(const proto::OptimizationOptions& options,
     loops.push_back(AsLoop(*constraint, selection, chains));
   }
   const double tolerance = Square(options.loop_scale_sigmas());
-  std::vector<bool> plausible;
-  for (const auto& loop : loops) {
-    plausible.push_back(true);
-    if (!loop.has_value()) continue;
-    const Judge& judge = judges.at(loop->trajectory_id);
-    const double error = judge.AgainstOdometry(*loop);
+  std::vector<bool> plausible(loops.size(), true);
+  for (size_t i = 0; i < loops.size(); ++i) {
+    if (!loops[i].has_value()) continue;
+    const Judge& judge = judges.at(loops[i]->trajectory_id);
+    const double error = judge.AgainstOdometry(*loops[i]);
     if (error <= tolerance) continue;
-    // The loop finds itself among its neighbours, too.
     int num_alike = 0;
-    for (const auto& other : loops) {
-      if (!other.has_value() || other->trajectory_id != loop->trajectory_id) continue;
-      if (!judge.AreNeighbours(*loop, *other)) continue;
-      if (judge.AgainstLoop(*loop, *other) <= tolerance) ++num_alike;
-    }
-    plausible.back() = error <= num_alike * tolerance;
+    ForAllAlike(loops, i, judge, tolerance, [&](size_t) { ++num_alike; });
+    plausible[i] = error <= Square(num_alike) * tolerance;
+  }
+  // What is at the edge of a group has fewer neighbours.
+  std::vector<size_t> to_ask_from;
+  for (size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].has_value() && plausible[i]) to_ask_from.push_back(i);
+  }
+  bool all = std::all_of(plausible.begin(), plausible.end(), [](bool b) { return b; });
+  while (!to_ask_from.empty() && !all) {
+    const size_t i = to_ask_from.back();
+    to_ask_from.pop_back();
+    ForAllAlike(loops, i, judges.at(loops[i]->trajectory_id), tolerance, [&](size_t j) {
+      if (plausible[j]) return;
+      plausible[j] = true;
+      to_ask_from.push_back(j);
+    });
   }
   return plausible;
 }

@@ -17,10 +17,12 @@ namespace cartographer::pose_graph {
 // kernel alone cannot: it sees what loops contradict each other, and where there is but one, the
 // odometry gives way to it however far that is.
 //
-// A loop is plausible if its error against the odometry, in the odometry's standard deviations, is
-// at most loop_scale_sigmas * sqrt(1 + n), where n is the number of loops beside it (at most 50 m
-// away along both visits) that say the same: it costs more to disbelieve many than one. Loops
-// between trajectories have no odometry against them and are plausible.
+// A loop is plausible if its error against the odometry is at most n * loop_scale_sigmas of the
+// odometry's standard deviations, where n is the number of loops that say the same: itself and
+// those beside it, at most 50 m away along both visits. One measurement does not outweigh the
+// odometry if that would have to be far worse than it is known to be; but it may have slipped
+// somewhere, and that wrong loops agree is ever less likely the more they are. Loops between
+// trajectories have no odometry against them and are plausible.
 //
 // `chains` has all moving trajectories. Compare Mangelson et al., "Pairwise consistent measurement
 // set maximization", ICRA 2018: ours asks the neighbours only, and only if it must.

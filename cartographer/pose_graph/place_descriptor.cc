@@ -45,7 +45,12 @@ absl::StatusOr<PlaceDescriber> PlaceDescriber::Create(const proto::PlaceRecognit
 
 PlaceDescriber::PlaceDescriber(const proto::PlaceRecognitionOptions& options,
                                PlaceChannels channels)
-    : options_(options), channels_(std::move(channels)), transform_(options.num_harmonics()) {}
+    : options_(options), channels_(std::move(channels)), transform_(options.num_harmonics()) {
+  for (int i = 0; i < transform_.num_bearings(); ++i) {
+    const double bearing = 2. * M_PI * i / transform_.num_bearings();
+    directions_.emplace_back(std::cos(bearing), std::sin(bearing));
+  }
+}
 
 PlaceDescriptor PlaceDescriber::Describe(const std::vector<PlacePart>& parts,
                                          const Eigen::Vector2d& center) const {
@@ -62,10 +67,10 @@ PlaceDescriptor PlaceDescriber::Describe(const std::vector<PlacePart>& parts,
   const bool nothing = std::all_of(layers.begin(), layers.end(),
                                    [](const PlaceLayer& layer) { return (layer == 0.f).all(); });
   if (nothing) return result;
-  const int num_shifts = options_.num_shifts();
-  for (int y = -num_shifts; y <= num_shifts; ++y) {
-    for (int x = -num_shifts; x <= num_shifts; ++x) {
-      result.views.push_back(LookFrom(Eigen::Vector2d(x, y) * options_.shift_m(), layers));
+  const int reach = views_per_side() / 2;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      result.views.push_back(LookFrom(Eigen::Vector2d(x, y) * view_spacing_m(), layers));
     }
   }
   return result;
@@ -80,9 +85,7 @@ BearingSpectrum PlaceDescriber::LookFrom(const Eigen::Vector2d& shift,
     // Products of two views then count every ring by its area.
     const auto root_of_area = static_cast<float>(std::sqrt(radius_m));
     for (int i = 0; i < num_bearings; ++i) {
-      const double bearing = 2. * M_PI * i / num_bearings;
-      const Eigen::Vector2d point =
-          shift + radius_m * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+      const Eigen::Vector2d point = shift + radius_m * directions_[i];
       const Sample sample =
           SampleAt(point, options_.cell_m(), static_cast<int>(layers.front().cols()));
       for (int channel = 0; channel < channels_.size(); ++channel) {

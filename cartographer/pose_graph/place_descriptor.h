@@ -51,9 +51,10 @@ class PlaceDescriber {
   PlaceDescriptor Describe(const std::vector<PlacePart>& parts,
                            const Eigen::Vector2d& center) const;
 
-  // Views are a grid of so many by so many points, so far apart [m].
-  int views_per_side() const { return 2 * options_.num_shifts() + 1; }
-  double shift_m() const { return options_.shift_m(); }
+  // Views are a grid of so many by so many points, so far apart [m]. Every second one along both
+  // axes, the middle one among them, is one of the options' coarser grid.
+  int views_per_side() const { return 4 * options_.num_shifts() + 1; }
+  double view_spacing_m() const { return 0.5 * options_.shift_m(); }
   // For the comparison of views.
   const BearingTransform& transform() const { return transform_; }
 
@@ -67,6 +68,7 @@ class PlaceDescriber {
   proto::PlaceRecognitionOptions options_;
   PlaceChannels channels_;
   BearingTransform transform_;
+  std::vector<Eigen::Vector2d> directions_;  // unit vectors, by bearing
 };
 
 }  // namespace cartographer::pose_graph

@@ -15,15 +15,16 @@ namespace {
 // Small enough to occupy all threads, large enough that the query stays in the cache.
 constexpr size_t kPlacesPerChunk = 32;
 
-// Where between the views the agreement is best, in steps from the best view: by a parabola along
-// an axis, if there is a view to both sides.
-double StepBetweenViews(const std::vector<BearingTransform::Agreement>& agreements, int best,
-                        int place_in_row, int views_per_side, int stride) {
-  if (place_in_row == 0 || place_in_row == views_per_side - 1) return 0.;
-  const double middle = agreements[best].score;
-  const double before = agreements[best - stride].score, after = agreements[best + stride].score;
-  const double curvature = before - 2. * middle + after;
-  return curvature < 0. ? 0.5 * (before - after) / curvature : 0.;
+// Three values at -1, 0, 1, of which the middle one is the largest: where the parabola through them
+// has its top.
+double TopOfParabola(double left, double middle, double right) {
+  const double curvature = left - 2. * middle + right;
+  return curvature < 0. ? 0.5 * (left - right) / curvature : 0.;
+}
+
+template <typename Candidate>
+bool IsBetter(const Candidate& a, const Candidate& b) {
+  return a.score != b.score ? a.score > b.score : a.submap_id < b.submap_id;
 }
 
 }  // namespace
@@ -36,10 +37,21 @@ void PlaceIndex::Add(const submap::SubmapId& id, const PlaceDescriptor& descript
 
 void PlaceIndex::Remove(const submap::SubmapId& id) { places_.erase(id); }
 
+double PlaceIndex::CoarseScore(const PlaceDescriptor& query, const Place& place) const {
+  const int side = describer_.views_per_side();
+  double best = 0.;
+  for (int y = 0; y < side; y += 2) {
+    for (int x = 0; x < side; x += 2) {
+      const BearingSpectrum& view = query.views[y * side + x];
+      best = std::max(best, describer_.transform().FindBestHeading(view, place.view).score);
+    }
+  }
+  return best;
+}
+
 PlaceCandidate PlaceIndex::Compare(const PlaceDescriptor& query, const submap::SubmapId& id,
                                    const Place& place) const {
   std::vector<BearingTransform::Agreement> agreements;
-  agreements.reserve(query.views.size());
   for (const BearingSpectrum& view : query.views) {
     agreements.push_back(describer_.transform().FindBestHeading(view, place.view));
   }
@@ -48,10 +60,15 @@ PlaceCandidate PlaceIndex::Compare(const PlaceDescriptor& query, const submap::S
     if (agreements[i].score > agreements[best].score) best = i;
   }
   const int side = describer_.views_per_side();
+  // The best point lies between views; at the border of the grid it is taken to be on it.
+  const auto between = [&](int place_in_line, int stride) {
+    if (place_in_line == 0 || place_in_line == side - 1) return 0.;
+    return TopOfParabola(agreements[best - stride].score, agreements[best].score,
+                         agreements[best + stride].score);
+  };
   const int x = best % side, y = best / side;
-  const Eigen::Vector2d steps(x - side / 2 + StepBetweenViews(agreements, best, x, side, 1),
-                              y - side / 2 + StepBetweenViews(agreements, best, y, side, side));
-  const Eigen::Vector2d viewpoint = query.center + steps * describer_.shift_m();
+  const Eigen::Vector2d steps(x - side / 2 + between(x, 1), y - side / 2 + between(y, side));
+  const Eigen::Vector2d viewpoint = query.center + steps * describer_.view_spacing_m();
   const double yaw_rad = agreements[best].yaw_rad;
   return {id,
           {place.center - Eigen::Rotation2Dd(yaw_rad) * viewpoint, yaw_rad},
@@ -63,22 +80,25 @@ std::vector<PlaceCandidate> PlaceIndex::Find(
     const std::function<bool(const submap::SubmapId&)>& allowed) const {
   CHECK_GE(max_candidates, 0);
   if (query.empty()) return {};
-  std::vector<const std::pair<const submap::SubmapId, Place>*> places;
-  for (const auto& place : places_) {
-    if (!allowed || allowed(place.first)) places.push_back(&place);
+  struct Coarse {
+    submap::SubmapId submap_id;
+    const Place* place;
+    double score;
+  };
+  std::vector<Coarse> coarse;
+  for (const auto& [id, place] : places_) {
+    if (!allowed || allowed(id)) coarse.push_back({id, &place, 0.});
   }
-  std::vector<PlaceCandidate> candidates(places.size());
-  common::ParallelChunks(places.size(), kPlacesPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      candidates[i] = Compare(query, places[i]->first, places[i]->second);
-    }
+  common::ParallelChunks(coarse.size(), kPlacesPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) coarse[i].score = CoarseScore(query, *coarse[i].place);
   });
-  const size_t num_kept = std::min(candidates.size(), static_cast<size_t>(max_candidates));
-  std::partial_sort(candidates.begin(), candidates.begin() + num_kept, candidates.end(),
-                    [](const PlaceCandidate& a, const PlaceCandidate& b) {
-                      return a.score != b.score ? a.score > b.score : a.submap_id < b.submap_id;
-                    });
-  candidates.resize(num_kept);
+  const size_t num_kept = std::min(coarse.size(), static_cast<size_t>(max_candidates));
+  std::partial_sort(coarse.begin(), coarse.begin() + num_kept, coarse.end(), IsBetter<Coarse>);
+  std::vector<PlaceCandidate> candidates;
+  for (size_t i = 0; i < num_kept; ++i) {
+    candidates.push_back(Compare(query, coarse[i].submap_id, *coarse[i].place));
+  }
+  std::sort(candidates.begin(), candidates.end(), IsBetter<PlaceCandidate>);
   return candidates;
 }
 

@@ -37,10 +37,13 @@ class PlaceIndex {
   void Remove(const submap::SubmapId& id);
   size_t size() const { return places_.size(); }
 
-  // The submaps that agree best with the query, best first (the smaller id on ties), at most
-  // `max_candidates`, among those that `allowed` lets in (called once for each, in ascending order,
-  // by the calling thread); an empty function allows all. None for an empty query. Every allowed
-  // place is compared, in parallel, at all headings and from all views of the query.
+  // The submaps that agree best with the query, at most `max_candidates`, among those that
+  // `allowed` lets in (called once for each, in ascending order, by the calling thread); an empty
+  // function allows all. None for an empty query.
+  //
+  // Every allowed place is compared, in parallel, with the query as seen from its coarser grid of
+  // points, at all headings. Those that agree best are compared once more, from all points, which
+  // gives their poses and scores; they are returned best first. Ties go to the smaller id.
   std::vector<PlaceCandidate> Find(
       const PlaceDescriptor& query, int max_candidates,
       const std::function<bool(const submap::SubmapId&)>& allowed) const;
@@ -51,6 +54,9 @@ class PlaceIndex {
     BearingSpectrum view;
   };
 
+  // The best score over the query's views of the coarser grid.
+  double CoarseScore(const PlaceDescriptor& query, const Place& place) const;
+  // From all views.
   PlaceCandidate Compare(const PlaceDescriptor& query, const submap::SubmapId& id,
                          const Place& place) const;
 

@@ -30,10 +30,10 @@ PLACE_RECOGNITION = {
   },
   min_height_m = 0.5,
   cell_m = 2.0,
-  blur_m = 2.5,
-  radius_m = 48.0,
+  blur_m = 3.0,
+  radius_m = 56.0,
   num_rings = 8,
   num_harmonics = 8,
   num_shifts = 1,
-  shift_m = 5.0,
+  shift_m = 6.0,
 }

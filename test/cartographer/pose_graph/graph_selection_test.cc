@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cartographer/transform/se3_jacobian.h"
 #include "test/cartographer/pose_graph/made_up_drive.h"
 
 namespace cartographer::pose_graph {

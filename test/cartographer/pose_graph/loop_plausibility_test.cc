@@ -20,10 +20,11 @@ class LoopPlausibilityTest : public ::testing::Test {
  protected:
   LoopPlausibilityTest() { AddTrajectory(0, truth_, &graph_); }
 
+  // Off by `error`, in the frame of the submap.
   void AddLoop(int node, const Rigid3d& error) {
     graph_.constraints.push_back(TrueLoop(graph_, SubmapId{0, 2}, truth_, NodeId{0, node}, truth_));
     auto& submap_from_node = graph_.constraints.back().submap_from_node;
-    submap_from_node = submap_from_node * error;
+    submap_from_node = error * submap_from_node;
   }
   std::vector<bool> Judge(int dof = 6) const {
     auto options = options_;
@@ -63,17 +64,31 @@ TEST_F(LoopPlausibilityTest, DoubtsALonelyLoopThatIsTurned) {
 }
 
 TEST_F(LoopPlausibilityTest, BelievesManyThatSayTheSame) {
-  const Rigid3d jump = Rigid3d::Translation({0., 0., 2.5 * scale_ * Sigma_m(135)});
-  for (int node = 131; node < 137; ++node) AddLoop(node, jump);
-  EXPECT_THAT(Judge(), Each(false));  // 6 < 2.5^2
-  for (int node = 137; node < 140; ++node) AddLoop(node, jump);
+  const Rigid3d jump = Rigid3d::Translation({0., 0., 4.5 * scale_ * Sigma_m(135)});
+  for (int node = 131; node < 135; ++node) AddLoop(node, jump);
+  EXPECT_THAT(Judge(), Each(false));
+  AddLoop(135, jump);
   EXPECT_THAT(Judge(), Each(true));
+}
+
+TEST_F(LoopPlausibilityTest, BelievesTheEdgesOfAGroupToo) {
+  const Rigid3d jump = Rigid3d::Translation({0., 0., 9.5 * scale_ * Sigma_m(135)});
+  // Each has up to five neighbours on either side.
+  for (int node = 130; node < 190; node += 3) AddLoop(node, jump);
+  EXPECT_THAT(Judge(), Each(true));
+}
+
+TEST_F(LoopPlausibilityTest, AsksOnlyTheNeighbours) {
+  const Rigid3d jump = Rigid3d::Translation({0., 0., 4.5 * scale_ * Sigma_m(135)});
+  for (int node = 131; node < 135; ++node) AddLoop(node, jump);
+  AddLoop(165, jump);  // some 90 m on
+  EXPECT_THAT(Judge(), Each(false));
 }
 
 TEST_F(LoopPlausibilityTest, DoubtsManyThatContradictEachOther) {
   const double far_m = 1.5 * scale_ * Sigma_m(135);
   for (int i = 0; i < 10; ++i) {
-    const double angle = 0.6 * i;
+    const double angle = 2.4 * i;
     AddLoop(131 + i, Rigid3d::Translation({far_m * std::cos(angle), far_m * std::sin(angle), 0.}));
   }
   EXPECT_THAT(Judge(), Each(false));

@@ -109,7 +109,9 @@ Constraint TrueLoop(const Graph& graph, const SubmapId& submap_id, const Poses& 
     return constraint.submap_id == submap_id &&
            constraint.node_id == NodeId{submap_id.trajectory_id, middle};
   };
-  Constraint loop = *std::find_if(graph.constraints.begin(), graph.constraints.end(), in_submap);
+  const auto tie = std::find_if(graph.constraints.begin(), graph.constraints.end(), in_submap);
+  CHECK(tie != graph.constraints.end());
+  Constraint loop = *tie;
   loop.submap_from_node =
       loop.submap_from_node * truth_of_submap[middle].inverse() * truth_of_node[node_id.node_index];
   loop.node_id = node_id;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cartographer/pose_graph/graph_selection.h"
+#include "cartographer/transform/se3_jacobian.h"
 #include "tbb/global_control.h"
 #include "tbb/task_arena.h"
 #include "test/cartographer/pose_graph/made_up_drive.h"
@@ -28,8 +30,18 @@ OdometryErrors RandomErrors() {
 
 OdometryErrors SystematicErrors() {
   OdometryErrors errors;
-  errors.twist_per_m << 0., 0., 0., 0., 1e-5, -2e-5;  // 0.0006 and 0.0011 degrees
+  errors.twist_per_m << 0., 0., 0., 0., 3e-5, -6e-5;
   return errors;
+}
+
+// For odometry that has no others.
+proto::OptimizationOptions ForSystematicErrors() {
+  return OptimizationDefaults(R"(
+      local function sigmas(h, v, t, y)
+        return { horizontal_m = h, vertical_m = v, tilt_deg = t, heading_deg = y }
+      end
+      OPTIMIZATION.odometry.random = sigmas(0.001, 0.001, 0.001, 0.001)
+      OPTIMIZATION.odometry.systematic = sigmas(0.001, 0.001, 0.003, 0.003))");
 }
 
 class OptimizeGraphTest : public ::testing::Test {
@@ -78,8 +90,6 @@ TEST_F(OptimizeGraphTest, APerfectGraphDoesNotMove) {
   }
 }
 
-// Loops within the second half of the drive, which begins in the middle of the first lap, tell
-// everything about it.
 TEST_F(OptimizeGraphTest, ExactLoopsTakeMostOfTheErrorAway) {
   Graph graph = DriftedGraph(RandomErrors());
   const double before_m = LargestError_m(graph, 0, truth_);
@@ -87,8 +97,8 @@ TEST_F(OptimizeGraphTest, ExactLoopsTakeMostOfTheErrorAway) {
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.num_rejected, 0);
   EXPECT_LT(report.final_cost, 0.1 * report.initial_cost);
-  EXPECT_GT(before_m, 3.);
-  EXPECT_LT(LargestError_m(graph, 0, truth_), 0.4 * before_m);
+  EXPECT_GT(before_m, 1.5);
+  EXPECT_LT(LargestError_m(graph, 0, truth_), 0.5 * before_m);
   // The second lap lies on the first.
   for (int i = 0; i < kNodesPerLap; ++i) {
     const Rigid3d& first = graph.nodes.at(NodeId{0, i}).map_from_node;
@@ -100,13 +110,13 @@ TEST_F(OptimizeGraphTest, ExactLoopsTakeMostOfTheErrorAway) {
 TEST_F(OptimizeGraphTest, FindsTheSystematicErrorAndRemovesItsDrift) {
   Graph graph = DriftedGraph(SystematicErrors());
   const double before_m = LargestError_m(graph, 0, truth_);
-  const OptimizationReport report = OptimizeGraph(options_, &graph);
+  const OptimizationReport report = OptimizeGraph(ForSystematicErrors(), &graph);
   EXPECT_TRUE(report.converged);
   const Twist found = report.correction_per_m.at(0);
   const Twist expected = -SystematicErrors().twist_per_m;
-  for (const int axis : {3, 4, 5}) EXPECT_NEAR(found[axis], expected[axis], 5e-6) << axis;
-  EXPECT_GT(before_m, 1.);
-  EXPECT_LT(LargestError_m(graph, 0, truth_), 0.15 * before_m);
+  for (const int axis : {3, 4, 5}) EXPECT_NEAR(found[axis], expected[axis], 1e-5) << axis;
+  EXPECT_GT(before_m, 2.);
+  EXPECT_LT(LargestError_m(graph, 0, truth_), 0.1 * before_m);
 }
 
 // A loop at the beginning teaches what the rest of the drive, which has none, profits from.
@@ -116,8 +126,8 @@ TEST_F(OptimizeGraphTest, WhatLoopsTeachHelpsWhereThereAreNone) {
   AddTrajectory(0, WithErrors(truth, SystematicErrors()), &drifted);
   AddTrueLoops(0, Poses(truth.begin(), truth.begin() + 2 * kNodesPerLap), 1., &drifted);
   Graph with = drifted, without = drifted;
-  OptimizeGraph(options_, &with);
-  auto only_random = options_;
+  OptimizeGraph(ForSystematicErrors(), &with);
+  auto only_random = ForSystematicErrors();
   only_random.mutable_odometry()->mutable_systematic()->Clear();
   const OptimizationReport report = OptimizeGraph(only_random, &without);
   EXPECT_EQ(report.correction_per_m.at(0), Twist::Zero());
@@ -254,21 +264,23 @@ TEST_F(OptimizeGraphTest, ALonelyWrongLoopDoesNotBendTheMap) {
 }
 
 TEST_F(OptimizeGraphTest, AJumpOfTheOdometryIsClosedByLoopsThatAgree) {
-  Poses odometry = WithErrors(truth_, RandomErrors());
-  for (int i = 90; i < static_cast<int>(odometry.size()); ++i) {
-    odometry[i] = Rigid3d::Translation({20., -20., 5.}) * odometry[i];
+  constexpr int kJump = 90;
+  constexpr int kEnd = kNodesPerLap + kJump - 10;
+  Poses odometry = WithErrors(Poses(truth_.begin(), truth_.begin() + kEnd), RandomErrors());
+  for (int i = kJump; i < kEnd; ++i) {
+    odometry[i] = Rigid3d::Translation({4., -3., 2.}) * odometry[i];
   }
   Graph graph;
   AddTrajectory(0, odometry, &graph);
-  AddTrueLoops(0, truth_, 1., &graph);
+  AddTrueLoops(0, Poses(truth_.begin(), truth_.begin() + kEnd), 1., &graph);
   const OptimizationReport report = OptimizeGraph(options_, &graph);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.num_rejected, 0);
-  for (int i = kNodesPerLap; i < 2 * kNodesPerLap; ++i) {
+  for (int i = kNodesPerLap; i < kEnd; ++i) {
     EXPECT_LT((graph.nodes.at(NodeId{0, i}).map_from_node.translation() -
                graph.nodes.at(NodeId{0, i - kNodesPerLap}).map_from_node.translation())
                   .norm(),
-              10.)
+              0.4)
         << i;
   }
 }
@@ -295,7 +307,7 @@ TEST_F(OptimizeGraphTest, WhatIsFrozenStaysAndTheNewComesToIt) {
   const OptimizationReport report = OptimizeGraph(options_, &graph);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.num_rejected, 0);
-  EXPECT_LT(LargestError_m(graph, 1, Laps(1.)), 0.1);
+  EXPECT_LT(LargestError_m(graph, 1, Laps(1.)), 0.2);
   for (int index = 0; index < 20; ++index) graph.submaps.erase(SubmapId{1, index});
   Graph only_frozen = graph;
   only_frozen.nodes.erase(only_frozen.nodes.lower_bound(NodeId{1, 0}), only_frozen.nodes.end());
@@ -342,7 +354,8 @@ TEST_F(OptimizeGraphTest, ATrajectoryWithoutLoopsStaysBesideOneThatMoves) {
 TEST_F(OptimizeGraphTest, ASingleNodeInItsOwnSubmapStays) {
   Graph graph;
   AddTrajectory(0, {truth_.front()}, &graph);
-  graph.constraints.push_back(TrueLoop(graph, SubmapId{0, 0}, truth_, NodeId{0, 0}, truth_));
+  graph.constraints.push_back(
+      TrueLoop(graph, SubmapId{0, 0}, {truth_.front()}, NodeId{0, 0}, truth_));
   const OptimizationReport report = OptimizeGraph(options_, &graph);
   EXPECT_EQ(report.num_loops, 1);
   EXPECT_LT(LargestError_m(graph, 0, {truth_.front()}), 1e-9);
@@ -374,8 +387,8 @@ TEST_F(OptimizeGraphTest, NumbersThatAreNoneDoNotSpread) {
 
 TEST_F(OptimizeGraphTest, HugeNumbersDoNotBecomeNoNumbers) {
   Graph graph = DriftedGraph(RandomErrors());
-  graph.constraints.back().submap_from_node = Rigid3d::Translation({1e200, 0., 0.});
-  OptimizeGraph(options_, &graph);
+  graph.constraints.back().submap_from_node = Rigid3d::Translation({1e9, 0., 0.});
+  EXPECT_EQ(OptimizeGraph(options_, &graph).num_rejected, 1);
   for (const auto& [id, node] : graph.nodes) ASSERT_TRUE(node.map_from_node.IsFinite());
 }
 

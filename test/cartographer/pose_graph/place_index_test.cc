@@ -46,7 +46,7 @@ TEST(PlaceIndexTest, FindsTheStreetAtAnyHeading) {
     const transform::Rigid3d truth = query_from_street.inverse();
     EXPECT_NEAR(std::remainder(found[0].submap_from_query.yaw_rad + yaw, 2. * M_PI), 0.,
                 3. * kDegree);
-    EXPECT_LT((found[0].submap_from_query.translation - truth.translation().head<2>()).norm(), 0.6);
+    EXPECT_LT((found[0].submap_from_query.translation - truth.translation().head<2>()).norm(), 1.);
   }
 }
 

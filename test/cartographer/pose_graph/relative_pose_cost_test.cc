@@ -63,7 +63,9 @@ void ExpectJacobiansEqualNumericOnes(const ceres::CostFunction& cost, const Poin
   double* pointers[] = {jacobians[0].data(), jacobians[1].data(), jacobians[2].data()};
   Evaluate(cost, point, pointers);
   for (int block = 0; block < point.num_blocks; ++block) {
-    if (block < 2) EXPECT_EQ(jacobians[block].col(6).norm(), 0.);
+    if (block < 2) {
+      EXPECT_EQ(jacobians[block].col(6).norm(), 0.);
+    }
     for (int k = 0; k < 6; ++k) {
       const Twist delta = kStep * Twist::Unit(k);
       const Twist numeric = (Evaluate(cost, point.Perturbed(block, delta), nullptr) -
