@@ -21,7 +21,7 @@ using transform::Twist;
 Twist ToTwist(const proto::PoseSigmas& sigmas) {
   constexpr double kRadPerDeg = M_PI / 180.;
   Twist twist;
-  twist << sigmas.horizontal_m(), sigmas.horizontal_m(), sigmas.vertical_m(),
+  twist << sigmas.forward_m(), sigmas.left_m(), sigmas.up_m(),
       sigmas.tilt_deg() * kRadPerDeg, sigmas.tilt_deg() * kRadPerDeg,
       sigmas.heading_deg() * kRadPerDeg;
   return twist;

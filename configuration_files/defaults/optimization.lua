@@ -5,10 +5,11 @@
 -- proto/cartographer/pose_graph/proto/optimization_options.proto; how the values were found in
 -- docs/decisions/0007-odometry-errors-are-random-and-systematic.md.
 
-local function sigmas(horizontal_m, vertical_m, tilt_deg, heading_deg)
+local function sigmas(forward_m, left_m, up_m, tilt_deg, heading_deg)
   return {
-    horizontal_m = horizontal_m,
-    vertical_m = vertical_m,
+    forward_m = forward_m,
+    left_m = left_m,
+    up_m = up_m,
     tilt_deg = tilt_deg,
     heading_deg = heading_deg,
   }
@@ -17,11 +18,12 @@ end
 OPTIMIZATION = {
   dof = 6,
   odometry = {
-    random = sigmas(0.02, 0.02, 0.02, 0.02),
+    random = sigmas(0.01, 0.01, 0.01, 0.01, 0.005),
     min_step_m = 0.1,
-    systematic = sigmas(0.002, 0.002, 0.001, 0.001),
+    -- Loops cannot tell how long a metre is, but how the sensor is mounted.
+    systematic = sigmas(0.0, 0.002, 0.001, 0.001, 0.001),
   },
-  submap_tie = sigmas(0.02, 0.02, 0.05, 0.05),
+  submap_tie = sigmas(0.02, 0.02, 0.02, 0.05, 0.05),
   loop_scale_sigmas = 4.0,
   max_iterations = 100,
 }

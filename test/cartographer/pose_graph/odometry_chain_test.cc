@@ -22,8 +22,8 @@ using transform::Twist;
 
 proto::OdometryErrorOptions Options() {
   return OptimizationDefaults(R"(
-      local function sigmas(h, v, t, y)
-        return { horizontal_m = h, vertical_m = v, tilt_deg = t, heading_deg = y }
+      local function sigmas(m, up, t, y)
+        return { forward_m = m, left_m = m, up_m = up, tilt_deg = t, heading_deg = y }
       end
       OPTIMIZATION.odometry = { random = sigmas(0.02, 0.03, 0.1, 0.2), min_step_m = 0.1,
                                 systematic = sigmas(0, 0, 0, 0) })")

@@ -15,7 +15,7 @@ using transform::Twist;
 
 proto::OdometryErrorOptions Options(const std::string& random, const std::string& systematic) {
   return OptimizationDefaults(
-             "local function sigmas(h, v, t, y) return { horizontal_m = h, vertical_m = v, "
+             "local function sigmas(m, up, t, y) return { forward_m = m, left_m = m, up_m = up, "
              "tilt_deg = t, heading_deg = y } end\n"
              "OPTIMIZATION.odometry.random = sigmas(" +
              random +

@@ -37,8 +37,8 @@ OdometryErrors SystematicErrors() {
 // For odometry that has no others.
 proto::OptimizationOptions ForSystematicErrors() {
   return OptimizationDefaults(R"(
-      local function sigmas(h, v, t, y)
-        return { horizontal_m = h, vertical_m = v, tilt_deg = t, heading_deg = y }
+      local function sigmas(m, up, t, y)
+        return { forward_m = m, left_m = m, up_m = up, tilt_deg = t, heading_deg = y }
       end
       OPTIMIZATION.odometry.random = sigmas(0.001, 0.001, 0.001, 0.001)
       OPTIMIZATION.odometry.systematic = sigmas(0.001, 0.001, 0.003, 0.003))");
