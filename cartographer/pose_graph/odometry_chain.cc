@@ -21,9 +21,8 @@ using transform::Twist;
 Twist ToTwist(const proto::PoseSigmas& sigmas) {
   constexpr double kRadPerDeg = M_PI / 180.;
   Twist twist;
-  twist << sigmas.forward_m(), sigmas.left_m(), sigmas.up_m(),
-      sigmas.tilt_deg() * kRadPerDeg, sigmas.tilt_deg() * kRadPerDeg,
-      sigmas.heading_deg() * kRadPerDeg;
+  twist << sigmas.forward_m(), sigmas.left_m(), sigmas.up_m(), sigmas.tilt_deg() * kRadPerDeg,
+      sigmas.tilt_deg() * kRadPerDeg, sigmas.heading_deg() * kRadPerDeg;
   return twist;
 }
 

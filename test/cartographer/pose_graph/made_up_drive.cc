@@ -7,9 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "cartographer/common/options_loader.h"
 #include "glog/logging.h"
-#include "test/testing/test_files.h"
+#include "test/testing/shipped_options.h"
 
 namespace cartographer::pose_graph {
 namespace {
@@ -48,12 +47,8 @@ void AppendBytes(const Rigid3d& pose, std::string* bytes) {
 }  // namespace
 
 proto::OptimizationOptions OptimizationDefaults(const std::string& changes) {
-  proto::OptimizationOptions options;
-  const absl::Status status = common::LoadOptionsFromString(
-      "include \"defaults/optimization.lua\"\n" + changes + "\nreturn OPTIMIZATION", "test",
-      {semantic_kiss_testing::SourceFile("configuration_files")}, &options);
-  CHECK(status.ok()) << status;
-  return options;
+  return semantic_kiss_testing::ShippedOptions<proto::OptimizationOptions>("optimization",
+                                                                           "OPTIMIZATION", changes);
 }
 
 Poses Laps(double num_laps) {
@@ -129,6 +124,19 @@ void AddTrueLoops(int trajectory_id, const Poses& truth, double min_laps, Graph*
     graph->constraints.push_back(TrueLoop(*graph, SubmapId{trajectory_id, submap_index}, truth,
                                           NodeId{trajectory_id, i}, truth));
   }
+}
+
+OdometryErrors RandomErrors() {
+  OdometryErrors errors;
+  errors.sigmas_per_sqrt_m << 0.02, 0.02, 0.02, 5e-4, 5e-4, 5e-4;
+  return errors;
+}
+
+Graph DriftedGraph(const Poses& truth, const OdometryErrors& errors, double min_laps) {
+  Graph graph;
+  AddTrajectory(0, WithErrors(truth, errors), &graph);
+  AddTrueLoops(0, truth, min_laps, &graph);
+  return graph;
 }
 
 double LargestError_m(const Graph& graph, int trajectory_id, const Poses& should_be) {

@@ -35,6 +35,9 @@ struct OdometryErrors {
 };
 Poses WithErrors(const Poses& truth, const OdometryErrors& errors);
 
+// About twice as wrong as the options expect.
+OdometryErrors RandomErrors();
+
 // Appends a trajectory as it is before any optimization: nodes at `odometry`, a submap of ten of
 // them for every five.
 void AddTrajectory(int trajectory_id, const Poses& odometry, Graph* graph);
@@ -48,6 +51,9 @@ submap::Constraint TrueLoop(const Graph& graph, const submap::SubmapId& submap_i
 // Adds such loops for every fourth node that is at least `min_laps` after a visit of the same
 // place, to the submap there.
 void AddTrueLoops(int trajectory_id, const Poses& truth, double min_laps, Graph* graph);
+
+// The drive with such loops.
+Graph DriftedGraph(const Poses& truth, const OdometryErrors& errors, double min_laps = 1.);
 
 // The largest distance of a node from where it should be.
 double LargestError_m(const Graph& graph, int trajectory_id, const Poses& should_be);

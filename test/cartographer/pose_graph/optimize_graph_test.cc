@@ -4,12 +4,9 @@
 #include "cartographer/pose_graph/optimize_graph.h"
 
 #include <cmath>
-#include <limits>
 
 #include "cartographer/pose_graph/graph_selection.h"
 #include "cartographer/transform/se3_jacobian.h"
-#include "tbb/global_control.h"
-#include "tbb/task_arena.h"
 #include "test/cartographer/pose_graph/made_up_drive.h"
 
 namespace cartographer::pose_graph {
@@ -20,13 +17,6 @@ using submap::NodeId;
 using submap::SubmapId;
 using transform::Rigid3d;
 using transform::Twist;
-
-// About twice as wrong as the options expect.
-OdometryErrors RandomErrors() {
-  OdometryErrors errors;
-  errors.sigmas_per_sqrt_m << 0.02, 0.02, 0.02, 5e-4, 5e-4, 5e-4;
-  return errors;
-}
 
 OdometryErrors SystematicErrors() {
   OdometryErrors errors;
@@ -47,10 +37,7 @@ proto::OptimizationOptions ForSystematicErrors() {
 class OptimizeGraphTest : public ::testing::Test {
  protected:
   Graph DriftedGraph(const OdometryErrors& errors, double min_laps = 1.) const {
-    Graph graph;
-    AddTrajectory(0, WithErrors(truth_, errors), &graph);
-    AddTrueLoops(0, truth_, min_laps, &graph);
-    return graph;
+    return pose_graph::DriftedGraph(truth_, errors, min_laps);
   }
 
   const proto::OptimizationOptions options_ = OptimizationDefaults();
@@ -349,80 +336,6 @@ TEST_F(OptimizeGraphTest, ATrajectoryWithoutLoopsStaysBesideOneThatMoves) {
   for (auto& [id, node] : other.nodes) node = graph.nodes.at(id);
   for (auto& [id, submap] : other.submaps) submap = graph.submaps.at(id);
   EXPECT_EQ(Bytes(other), before);
-}
-
-TEST_F(OptimizeGraphTest, ASingleNodeInItsOwnSubmapStays) {
-  Graph graph;
-  AddTrajectory(0, {truth_.front()}, &graph);
-  graph.constraints.push_back(
-      TrueLoop(graph, SubmapId{0, 0}, {truth_.front()}, NodeId{0, 0}, truth_));
-  const OptimizationReport report = OptimizeGraph(options_, &graph);
-  EXPECT_EQ(report.num_loops, 1);
-  EXPECT_LT(LargestError_m(graph, 0, {truth_.front()}), 1e-9);
-}
-
-TEST_F(OptimizeGraphTest, StandingStillIsNoTrouble) {
-  const Poses still(60, truth_.front());
-  Graph graph;
-  AddTrajectory(0, still, &graph);
-  for (int i = 30; i < 60; ++i) {
-    graph.constraints.push_back(TrueLoop(graph, SubmapId{0, 1}, still, NodeId{0, i}, still));
-  }
-  const OptimizationReport report = OptimizeGraph(options_, &graph);
-  EXPECT_TRUE(report.converged);
-  EXPECT_LT(LargestError_m(graph, 0, still), 1e-9);
-}
-
-TEST_F(OptimizeGraphTest, NumbersThatAreNoneDoNotSpread) {
-  Graph graph = DriftedGraph(RandomErrors());
-  Graph clean = graph;
-  Constraint broken = graph.constraints.back();
-  broken.submap_from_node =
-      Rigid3d::Translation({std::numeric_limits<double>::quiet_NaN(), 0., 0.});
-  graph.constraints.push_back(broken);
-  OptimizeGraph(options_, &graph);
-  OptimizeGraph(options_, &clean);
-  EXPECT_EQ(Bytes(graph), Bytes(clean));
-}
-
-TEST_F(OptimizeGraphTest, HugeNumbersDoNotBecomeNoNumbers) {
-  Graph graph = DriftedGraph(RandomErrors());
-  graph.constraints.back().submap_from_node = Rigid3d::Translation({1e9, 0., 0.});
-  EXPECT_EQ(OptimizeGraph(options_, &graph).num_rejected, 1);
-  for (const auto& [id, node] : graph.nodes) ASSERT_TRUE(node.map_from_node.IsFinite());
-}
-
-TEST_F(OptimizeGraphTest, LoopsThatSayNothingMoveNothing) {
-  Graph graph = DriftedGraph(RandomErrors());
-  for (Constraint& constraint : graph.constraints) {
-    constraint.information = transform::Matrix6d::Zero();
-  }
-  Poses before;
-  for (const auto& [id, node] : graph.nodes) before.push_back(node.map_from_node);
-  EXPECT_TRUE(OptimizeGraph(options_, &graph).converged);
-  EXPECT_LT(LargestError_m(graph, 0, before), 1e-8);
-}
-
-TEST_F(OptimizeGraphTest, StopsAtTheLimitOfIterations) {
-  auto options = options_;
-  options.set_max_iterations(1);
-  Graph graph = DriftedGraph(RandomErrors());
-  const OptimizationReport report = OptimizeGraph(options, &graph);
-  EXPECT_FALSE(report.converged);
-  EXPECT_EQ(report.iterations, 1);
-  EXPECT_LT(report.final_cost, report.initial_cost);
-}
-
-TEST_F(OptimizeGraphTest, GivesTheSameBytesOnAnyNumberOfThreads) {
-  std::string expected;
-  for (const int num_threads : {1, 2, 8}) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, num_threads);
-    tbb::task_arena arena(num_threads);
-    Graph graph = DriftedGraph(RandomErrors());
-    arena.execute([&] { OptimizeGraph(options_, &graph); });
-    if (expected.empty()) expected = Bytes(graph);
-    EXPECT_EQ(Bytes(graph), expected) << num_threads;
-  }
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "absl/strings/str_cat.h"
-#include "cartographer/common/options_loader.h"
 #include "glog/logging.h"
+#include "test/testing/shipped_options.h"
 
 namespace cartographer::pose_graph {
 namespace {
@@ -90,13 +90,8 @@ sensor::LabelSet ShippedLabels(const std::string& name) {
 }
 
 proto::PlaceRecognitionOptions ShippedPlaceOptions(const std::string& changes) {
-  proto::PlaceRecognitionOptions options;
-  const absl::Status status =
-      common::LoadOptionsFromString(absl::StrCat("include \"defaults/place_recognition.lua\"\n",
-                                                 changes, "\nreturn PLACE_RECOGNITION"),
-                                    "test", {ConfigurationFiles()}, &options);
-  CHECK(status.ok()) << status;
-  return options;
+  return semantic_kiss_testing::ShippedOptions<proto::PlaceRecognitionOptions>(
+      "place_recognition", "PLACE_RECOGNITION", changes);
 }
 
 PlaceDescriber ShippedDescriber() {

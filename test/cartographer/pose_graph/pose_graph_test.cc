@@ -10,14 +10,13 @@
 #include <string>
 #include <utility>
 
-#include "absl/strings/str_cat.h"
-#include "cartographer/common/options_loader.h"
 #include "cartographer/submap/active_submaps.h"
 #include "cartographer/transform/se3.h"
+#include "glog/logging.h"
 #include "tbb/task_arena.h"
-#include "test/cartographer/pose_graph/place_scenes.h"
 #include "test/cartographer/pose_graph/street_scene.h"
 #include "test/cartographer/scan_matching/small_scenes.h"
+#include "test/testing/shipped_options.h"
 
 namespace cartographer::pose_graph {
 namespace {
@@ -27,13 +26,8 @@ using transform::Rigid3d;
 
 // As shipped, after `changes` in Lua; rounds are short because the drive is.
 proto::PoseGraphOptions Options(const std::string& changes = "") {
-  proto::PoseGraphOptions options;
-  const absl::Status status = common::LoadOptionsFromString(
-      absl::StrCat("include \"defaults/pose_graph.lua\"\n",
-                   "POSE_GRAPH.optimize_every_n_nodes = 40\n", changes, "\nreturn POSE_GRAPH"),
-      "test", {ConfigurationFiles()}, &options);
-  CHECK(status.ok()) << status;
-  return options;
+  return semantic_kiss_testing::ShippedOptions<proto::PoseGraphOptions>(
+      "pose_graph", "POSE_GRAPH", "POSE_GRAPH.optimize_every_n_nodes = 40\n" + changes);
 }
 
 // Along the street, a detour on which nothing is seen, and back through the street the other way;

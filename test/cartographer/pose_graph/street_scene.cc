@@ -3,12 +3,11 @@
 
 #include "test/cartographer/pose_graph/street_scene.h"
 
-#include <cstdlib>
 #include <random>
 
-#include "cartographer/common/options_loader.h"
 #include "glog/logging.h"
 #include "test/cartographer/scan_matching/small_scenes.h"
+#include "test/testing/shipped_options.h"
 
 namespace cartographer::pose_graph {
 namespace {
@@ -127,15 +126,8 @@ sensor::LabeledPointCloud SeeFrom(const std::vector<ScenePoint>& street,
 }
 
 proto::VerificationOptions ShippedVerificationOptions(const std::string& overrides) {
-  const char* const source_directory = std::getenv("SEMANTIC_KISS_SOURCE_DIR");
-  const std::string root = source_directory == nullptr ? "." : source_directory;
-  proto::VerificationOptions options;
-  const absl::Status status =
-      common::LoadOptionsFromString("include \"defaults/closure_verification.lua\"\n" + overrides +
-                                        "\nreturn CLOSURE_VERIFICATION",
-                                    "test", {root + "/configuration_files"}, &options);
-  CHECK(status.ok()) << status;
-  return options;
+  return semantic_kiss_testing::ShippedOptions<proto::VerificationOptions>(
+      "closure_verification", "CLOSURE_VERIFICATION", overrides);
 }
 
 ClosureTarget TargetOf(const std::vector<ScenePoint>& street,

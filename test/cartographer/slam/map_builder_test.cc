@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "glog/logging.h"
+#include "test/testing/shipped_options.h"
 
 namespace cartographer::slam {
 namespace {
@@ -52,7 +53,10 @@ sensor::LabeledScan Scan(int index) {
 
 // Without loop closure.
 std::unique_ptr<pose_graph::PoseGraph> IdlePoseGraph() {
-  auto pose_graph = pose_graph::PoseGraph::Create(pose_graph::proto::PoseGraphOptions(), {});
+  auto pose_graph = pose_graph::PoseGraph::Create(
+      semantic_kiss_testing::ShippedOptions<pose_graph::proto::PoseGraphOptions>(
+          "pose_graph", "POSE_GRAPH", "POSE_GRAPH.optimize_every_n_nodes = 0"),
+      sensor::LabelSet());
   CHECK(pose_graph.ok()) << pose_graph.status();
   return *std::move(pose_graph);
 }
