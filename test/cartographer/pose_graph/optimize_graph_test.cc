@@ -83,7 +83,7 @@ TEST_F(OptimizeGraphTest, ExactLoopsTakeMostOfTheErrorAway) {
   const OptimizationReport report = OptimizeGraph(options_, &graph);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.num_rejected, 0);
-  EXPECT_LT(report.final_cost, 0.1 * report.initial_cost);
+  EXPECT_LT(report.final_cost, 0.15 * report.initial_cost);
   EXPECT_GT(before_m, 1.5);
   EXPECT_LT(LargestError_m(graph, 0, truth_), 0.5 * before_m);
   // The second lap lies on the first.
@@ -267,7 +267,7 @@ TEST_F(OptimizeGraphTest, AJumpOfTheOdometryIsClosedByLoopsThatAgree) {
     EXPECT_LT((graph.nodes.at(NodeId{0, i}).map_from_node.translation() -
                graph.nodes.at(NodeId{0, i - kNodesPerLap}).map_from_node.translation())
                   .norm(),
-              0.4)
+              0.6)
         << i;
   }
 }

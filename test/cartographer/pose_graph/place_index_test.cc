@@ -90,17 +90,6 @@ TEST_F(PlaceIndexTest, FindsPlacesOnAnotherDayByWrongLabels) {
   }
 }
 
-TEST_F(PlaceIndexTest, FindsPlacesWithoutLabels) {
-  for (int i = 0; i < kNumStreets; ++i) {
-    index_.Add({0, i}, Describe(WithoutAnyLabels(streets_[i])));
-  }
-  for (int i = 0; i < kNumStreets; ++i) {
-    const transform::Rigid3d query_from_street = InPlane(0., 0., (30. * i + 11.) * kDegree);
-    const auto query = WithoutAnyLabels(Street(i, 1));
-    ExpectFound(i, Describe(query, query_from_street, {3., -2., 0.}), query_from_street, 2.);
-  }
-}
-
 TEST_F(PlaceIndexTest, ComparesAllPlacesFromAllViews) {
   AddAllStreets();
   const int side = describer_.views_per_side();

@@ -127,10 +127,4 @@ sensor::LabeledPointCloud WithWrongLabels(const sensor::LabeledPointCloud& cloud
   return result;
 }
 
-sensor::LabeledPointCloud WithoutAnyLabels(const sensor::LabeledPointCloud& cloud) {
-  sensor::LabeledPointCloud result = cloud;
-  result.labels.assign(cloud.size(), sensor::kUnlabeled);
-  return result;
-}
-
 }  // namespace cartographer::pose_graph

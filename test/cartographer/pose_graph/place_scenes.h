@@ -29,8 +29,6 @@ sensor::LabeledPointCloud Street(int seed, int day = 0);
 sensor::LabeledPointCloud WithWrongLabels(const sensor::LabeledPointCloud& cloud, double share,
                                           int seed);
 
-sensor::LabeledPointCloud WithoutAnyLabels(const sensor::LabeledPointCloud& cloud);
-
 }  // namespace cartographer::pose_graph
 
 #endif  // TEST_CARTOGRAPHER_POSE_GRAPH_PLACE_SCENES_H_
