@@ -43,14 +43,16 @@ void ShapeFacade(const Primitive& wall, const Ray& ray, double relief_m, uint64_
   const int side = (gable_side ? 0 : 2) + ((gable_side ? normal.x() : normal.y()) > 0. ? 1 : 0);
 
   const double swell = Roughness(key + side, along_m / 2.6, height_m / 2.6);
-  double depth_m = relief_m * std::clamp(swell, -3., 3.);
   const Facade facade = FacadeOf(key);
-  if (InWindow(facade, along_m, height_m, 2. * wall.half.z())) {
-    depth_m += facade.niche_m;
-    hit->material = material::kGlass;
-  }
-  const double facing = std::max(0.2, -hit->normal.dot(ray.direction));
-  hit->range_m = std::max(0.05, hit->range_m + depth_m / facing);
+  const bool window = InWindow(facade, along_m, height_m, 2. * wall.half.z());
+  const double depth_m = relief_m * std::clamp(swell, -3., 3.) + (window ? facade.niche_m : 0.);
+  const double further_m = depth_m / std::max(0.2, -hit->normal.dot(ray.direction));
+  // A grazing ray must not slip off the wall's end into the air.
+  const Eigen::Vector3d moved = point + further_m * wall.ToLocal(ray.direction);
+  const int axis = gable_side ? 1 : 0;
+  if (std::abs(moved[axis]) > wall.half[axis]) return;
+  if (window) hit->material = material::kGlass;
+  hit->range_m = std::max(0.05, hit->range_m + further_m);
 }
 
 }  // namespace semantic_kiss::simulation

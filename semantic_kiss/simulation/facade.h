@@ -6,9 +6,9 @@
 
 #include <cstdint>
 
+#include "semantic_kiss/simulation/hit.h"
 #include "semantic_kiss/simulation/primitive.h"
 #include "semantic_kiss/simulation/ray.h"
-#include "semantic_kiss/simulation/world.h"
 
 namespace semantic_kiss::simulation {
 

@@ -14,11 +14,14 @@
 namespace semantic_kiss::simulation {
 namespace {
 
-constexpr double kNode_m = 0.25;
+constexpr double kNearNode_m = 0.25;
+constexpr double kFarNode_m = 1.;
 constexpr double kDetailReach_m = 28.;  // from the carriageway's edge
 // Steepest rise that the search for a ray's hit must not jump over.
 constexpr double kSteepest = 0.25;
 constexpr double kSmallestStep_m = 0.12;
+// Of a search that turns out to begin below the ground.
+constexpr double kStepBack_m = 1.;
 constexpr double kCamber = 0.02;
 
 // Where the sidewalk begins and ends, as distances from the carriageway's edge.
@@ -46,25 +49,31 @@ Ground::Ground(const StreetMap& streets, const Hills& hills, const proto::WorldO
       road_relief_m_(options.road_relief_m()),
       terrain_relief_m_(options.terrain_relief_m()),
       key_(HashKey({seed, static_cast<uint64_t>(Purpose::kRelief)})),
-      heights_(streets.bounds(), kNode_m, std::numeric_limits<float>::quiet_NaN()) {
-  // Only the tiles along the streets are kept in detail.
+      near_(streets.bounds(), kNearNode_m, std::numeric_limits<float>::quiet_NaN()),
+      far_(streets.bounds(), kFarNode_m, std::numeric_limits<float>::quiet_NaN()) {
+  Fill(&near_, kDetailReach_m);
+  Fill(&far_, std::numeric_limits<double>::infinity());
+}
+
+void Ground::Fill(SparseRaster<float>* raster, double reach_m) const {
   constexpr int kTile = SparseRaster<float>::kTile;
-  const Eigen::AlignedBox2d& bounds = streets.bounds();
+  const double node_m = raster->step();
+  const Eigen::AlignedBox2d& bounds = streets_.bounds();
   std::vector<Eigen::Vector2i> tiles;
-  for (int j = heights_.Node(bounds.min().y()) & ~(kTile - 1); j <= heights_.Node(bounds.max().y());
+  for (int j = raster->Node(bounds.min().y()) & ~(kTile - 1); j <= raster->Node(bounds.max().y());
        j += kTile) {
-    for (int i = heights_.Node(bounds.min().x()) & ~(kTile - 1);
-         i <= heights_.Node(bounds.max().x()); i += kTile) {
-      const Eigen::Vector2d centre = kNode_m * Eigen::Vector2d(i + kTile / 2, j + kTile / 2);
-      if (streets.Outside(centre) < kDetailReach_m - kNode_m * kTile) tiles.emplace_back(i, j);
+    for (int i = raster->Node(bounds.min().x()) & ~(kTile - 1); i <= raster->Node(bounds.max().x());
+         i += kTile) {
+      const Eigen::Vector2d centre = node_m * Eigen::Vector2d(i + kTile / 2, j + kTile / 2);
+      if (streets_.Outside(centre) < reach_m - node_m * kTile) tiles.emplace_back(i, j);
     }
   }
   cartographer::common::ParallelChunks(tiles.size(), 1, [&](size_t tile, size_t) {
     for (int k = 0; k < kTile * kTile; ++k) {
       const Eigen::Vector2i node = tiles[tile] + Eigen::Vector2i(k % kTile, k / kTile);
-      const Eigen::Vector2d position = kNode_m * node.cast<double>();
+      const Eigen::Vector2d position = node_m * node.cast<double>();
       if (!bounds.contains(position)) continue;
-      heights_.MutableAt(node.x(), node.y()) = static_cast<float>(Evaluate(position));
+      raster->MutableAt(node.x(), node.y()) = static_cast<float>(Evaluate(position));
     }
   });
 }
@@ -87,18 +96,26 @@ double Ground::Evaluate(const Eigen::Vector2d& p) const {
   return hills_.Height(p) + kerb_m + camber_m + road + terrain_relief_m_ * rough * (tufts + hump);
 }
 
-double Ground::Height(const Eigen::Vector2d& position) const {
-  const auto patch = heights_.PatchAt(position.x(), position.y());
-  const double height =
-      Bilinear(patch, *patch.corners[0], *patch.corners[1], *patch.corners[2], *patch.corners[3]);
-  return std::isnan(height) ? Evaluate(position) : height;
+Ground::Heights Ground::HeightsAround(const Eigen::Vector2d& position) const {
+  const Heights fine{near_.PatchAt(position.x(), position.y()), kNearNode_m};
+  if (!std::isnan(fine.Between())) return fine;
+  return {far_.PatchAt(position.x(), position.y()), kFarNode_m};
 }
 
-Eigen::Vector3d Ground::Normal(const Eigen::Vector2d& p) const {
-  constexpr double kStep_m = 0.1;
-  const Eigen::Vector2d x(kStep_m, 0.), y(0., kStep_m);
-  return Eigen::Vector3d(Height(p - x) - Height(p + x), Height(p - y) - Height(p + y), 2. * kStep_m)
-      .normalized();
+double Ground::Height(const Eigen::Vector2d& position) const {
+  const double height_m = HeightsAround(position).Between();
+  return std::isnan(height_m) ? Evaluate(position) : height_m;
+}
+
+Eigen::Vector3d Ground::Normal(const Eigen::Vector2d& position) const {
+  const Heights heights = HeightsAround(position);
+  const double u = heights.patch.u, v = heights.patch.v;
+  const double to_x =
+      (1. - v) * (heights.At(1) - heights.At(0)) + v * (heights.At(3) - heights.At(2));
+  const double to_y =
+      (1. - u) * (heights.At(2) - heights.At(0)) + u * (heights.At(3) - heights.At(1));
+  if (std::isnan(to_x + to_y)) return Eigen::Vector3d::UnitZ();
+  return Eigen::Vector3d(-to_x, -to_y, heights.step_m).normalized();
 }
 
 const Material& Ground::MaterialAt(const Eigen::Vector2d& position) const {
@@ -117,28 +134,49 @@ const Material& Ground::MaterialAt(const Eigen::Vector2d& position) const {
   return material::kGrass;
 }
 
-std::optional<double> Ground::Intersect(const Ray& ray, double limit_m) const {
-  const Eigen::Vector2d start = ray.origin.head<2>();
-  const Eigen::Vector2d run = ray.direction.head<2>();
-  const double fall = kSteepest * run.norm() - ray.direction.z();
+double Ground::Gap(const Ray& ray, double t) const {
+  return ray.origin.z() + t * ray.direction.z() -
+         Height(ray.origin.head<2>() + t * ray.direction.head<2>());
+}
+
+std::optional<double> Ground::Intersect(const Ray& ray, double from_m, double limit_m) const {
+  const double fall = kSteepest * ray.direction.head<2>().norm() - ray.direction.z();
   if (fall <= 1e-3) return std::nullopt;  // rises faster than any slope
-  double before = 0., t = 0.;
-  while (t <= limit_m) {
-    const double gap = ray.origin.z() + t * ray.direction.z() - Height(start + t * run);
-    if (gap <= 0.) return Refine(ray, before, t);
-    before = t;
-    t += std::max(gap / fall, kSmallestStep_m + 0.003 * t);
+  double t = from_m;
+  double gap_m = Gap(ray, t);
+  for (; gap_m <= 0. && t > 0.; gap_m = Gap(ray, t)) t = std::max(0., t - kStepBack_m);
+  if (gap_m <= 0.) return 0.;
+  while (t < limit_m) {
+    const double before = t, gap_before_m = gap_m;
+    t = std::min(limit_m, t + std::max(gap_m / fall, kSmallestStep_m + 0.003 * t));
+    gap_m = Gap(ray, t);
+    if (gap_m <= 0.) return Refine(ray, before, gap_before_m, t, gap_m);
   }
   return std::nullopt;
 }
 
-double Ground::Refine(const Ray& ray, double above, double below) const {
-  for (int i = 0; i < 8; ++i) {
-    const double middle = 0.5 * (above + below);
-    const Eigen::Vector3d point = ray.origin + middle * ray.direction;
-    (point.z() > Height(point.head<2>()) ? above : below) = middle;
+double Ground::Refine(const Ray& ray, double above_t, double above_m, double below_t,
+                      double below_m) const {
+  // Regula falsi that halves the weight of an end that stays (the Illinois variant).
+  constexpr double kExact_m = 5e-4;
+  int stays = 0;
+  for (int i = 0; i < 12 && below_t - above_t > kExact_m; ++i) {
+    const double t = above_t + (below_t - above_t) * above_m / (above_m - below_m);
+    const double gap_m = Gap(ray, t);
+    if (std::abs(gap_m) < kExact_m) return t;
+    if (gap_m > 0.) {
+      above_t = t;
+      above_m = gap_m;
+      if (stays == 1) below_m *= 0.5;
+      stays = 1;
+    } else {
+      below_t = t;
+      below_m = gap_m;
+      if (stays == -1) above_m *= 0.5;
+      stays = -1;
+    }
   }
-  return 0.5 * (above + below);
+  return 0.5 * (above_t + below_t);
 }
 
 }  // namespace semantic_kiss::simulation

@@ -29,18 +29,34 @@ class Ground {
   Eigen::Vector3d Normal(const Eigen::Vector2d& position) const;
   const Material& MaterialAt(const Eigen::Vector2d& position) const;
 
-  // Distance along the ray to the ground, if it is met before `limit_m`.
-  std::optional<double> Intersect(const Ray& ray, double limit_m) const;
+  // Distance along the ray to the ground, if it is met between `from_m` (where the ray should be
+  // above the ground still) and `limit_m`.
+  std::optional<double> Intersect(const Ray& ray, double from_m, double limit_m) const;
 
  private:
+  // The finest heights around a point; NaN where nothing was filled in.
+  struct Heights {
+    SparseRaster<float>::Patch patch;
+    double step_m;
+
+    double At(int corner) const { return *patch.corners[corner]; }
+    double Between() const { return Bilinear(patch, At(0), At(1), At(2), At(3)); }
+  };
+  Heights HeightsAround(const Eigen::Vector2d& position) const;
   double Evaluate(const Eigen::Vector2d& position) const;
-  double Refine(const Ray& ray, double above, double below) const;
+  // Sets the nodes of the tiles that lie within `reach_m` of a carriageway.
+  void Fill(SparseRaster<float>* raster, double reach_m) const;
+  // Height of the ray over the ground.
+  double Gap(const Ray& ray, double t) const;
+  double Refine(const Ray& ray, double above_t, double above_m, double below_t,
+                double below_m) const;
 
   const StreetMap& streets_;
   const Hills& hills_;
   const double road_relief_m_, terrain_relief_m_;
   const uint64_t key_;
-  SparseRaster<float> heights_;  // near the streets; NaN elsewhere
+  SparseRaster<float> near_;  // heights along the streets, NaN elsewhere
+  SparseRaster<float> far_;   // coarser, all over the town
 };
 
 }  // namespace semantic_kiss::simulation

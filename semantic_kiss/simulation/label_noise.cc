@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "semantic_kiss/simulation/hit.h"
 #include "semantic_kiss/simulation/material.h"
 #include "semantic_kiss/simulation/random.h"
-#include "semantic_kiss/simulation/world.h"
 
 namespace semantic_kiss::simulation {
 namespace {

@@ -25,71 +25,89 @@ constexpr std::array<double, 36> kRoof_deg = {
     -30.,  -30.,  -22.8, -22.5, -21.8, -21.,  -21., -21.8, -23.,  -22.3, -30.,  -30.,
     -30.,  -30.,  -30.,  -30.,  -30.,  -30.,  -30., -19.8, -22.6, -22.,  -17.5, -17.};
 
+double RoofAt_deg(double azimuth) {
+  const double turn = (azimuth + M_PI) / (2. * M_PI);
+  return kRoof_deg[static_cast<size_t>(turn * kRoof_deg.size()) % kRoof_deg.size()];
+}
+
+Eigen::Vector3d Direction(const UnitAngle& elevation, const UnitAngle& azimuth) {
+  return {elevation.cosine * azimuth.cosine, elevation.cosine * azimuth.sine, elevation.sine};
+}
+
 }  // namespace
 
-Eigen::Vector3d Bearing::Direction() const {
-  const double level = std::cos(elevation);
-  return Eigen::Vector3d(level * std::cos(azimuth), level * std::sin(azimuth), std::sin(elevation));
+UnitAngle UnitAngle::Of(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+
+UnitAngle UnitAngle::TurnedBy(double small_rad) const {
+  const double square = small_rad * small_rad;
+  const double c = 1. - 0.5 * square * (1. - square / 12.);
+  const double s = small_rad * (1. - square / 6.);
+  return {cosine * c - sine * s, sine * c + cosine * s};
+}
+
+Lidar::Harmonic Lidar::Harmonic::Of(double amplitude, double phase) {
+  return {amplitude * std::sin(phase), amplitude * std::cos(phase)};
 }
 
 Lidar::Lidar(const proto::LidarOptions& lidar, const proto::ErrorOptions& errors, uint64_t seed)
     : options_(lidar), errors_(errors) {
   Random random(seed, Purpose::kBeam);
-  tilt_phase_ = random.Uniform(0., 2. * M_PI);
-  encoder_phase_ = random.Uniform(0., 2. * M_PI);
+  tilt_ = Harmonic::Of(kRadPerDeg * errors.axis_tilt_deg(), random.Uniform(0., 2. * M_PI));
+  encoder_ =
+      Harmonic::Of(kRadPerDeg * errors.encoder_eccentricity_deg(), random.Uniform(0., 2. * M_PI));
   for (int bank = 0; bank < lidar.banks_size(); ++bank) {
     const proto::BeamBank& bank_options = lidar.banks(bank);
     const double spread = bank_options.last_elevation_deg() - bank_options.first_elevation_deg();
     for (int i = 0; i < bank_options.beams(); ++i) {
       const double fraction = bank_options.beams() > 1 ? i / (bank_options.beams() - 1.) : 0.;
-      Beam beam;
-      beam.elevation = kRadPerDeg * (bank_options.first_elevation_deg() + fraction * spread);
-      DrawErrors(bank, &random, &beam);
-      beams_.push_back(beam);
+      beams_.push_back(DrawBeam(
+          bank, kRadPerDeg * (bank_options.first_elevation_deg() + fraction * spread), &random));
     }
   }
 }
 
-void Lidar::DrawErrors(int bank, Random* random, Beam* beam) const {
+Lidar::Beam Lidar::DrawBeam(int bank, double elevation, Random* random) const {
+  Beam beam;
+  beam.elevation = elevation;
+  beam.nominal = UnitAngle::Of(elevation);
   const double side = bank % 2 == 0 ? 0.5 : -0.5;
   const double directional = kRadPerDeg * errors_.directional_elevation_deg();
-  beam->elevation_error = kRadPerDeg * (errors_.beam_elevation_deg() * random->Normal() +
-                                        side * errors_.bank_elevation_deg());
-  beam->azimuth_error = kRadPerDeg * errors_.beam_azimuth_deg() * random->Normal();
-  beam->range_error_m = errors_.beam_range_m() * random->Normal() + side * errors_.bank_range_m();
-  beam->first_amplitude = directional * random->Normal();
-  beam->first_phase = random->Uniform(0., 2. * M_PI);
-  beam->second_amplitude = directional * random->Normal();
-  beam->second_phase = random->Uniform(0., 2. * M_PI);
+  beam.elevation_error = kRadPerDeg * (errors_.beam_elevation_deg() * random->Normal() +
+                                       side * errors_.bank_elevation_deg());
+  beam.azimuth_error = kRadPerDeg * errors_.beam_azimuth_deg() * random->Normal();
+  beam.range_error_m = errors_.beam_range_m() * random->Normal() + side * errors_.bank_range_m();
+  const double first = directional * random->Normal();
+  beam.once = Harmonic::Of(first, random->Uniform(0., 2. * M_PI));
+  const double second = directional * random->Normal();
+  beam.twice = Harmonic::Of(second, random->Uniform(0., 2. * M_PI));
+  return beam;
 }
 
 double Lidar::NominalAzimuth(int column) const {
   return -M_PI + 2. * M_PI * (column + 0.5) / columns();
 }
 
-Bearing Lidar::Nominal(int beam, int column) const {
-  return {beams_[beam].elevation, NominalAzimuth(column)};
-}
-
-Bearing Lidar::True(int index, const Bearing& nominal) const {
+Bearing Lidar::Error(int index, const UnitAngle& azimuth) const {
   const Beam& beam = beams_[index];
-  const double azimuth = nominal.azimuth;
-  Bearing bearing = nominal;
-  bearing.elevation += beam.elevation_error +
-                       beam.first_amplitude * std::sin(azimuth + beam.first_phase) +
-                       beam.second_amplitude * std::sin(2. * azimuth + beam.second_phase) +
-                       kRadPerDeg * errors_.axis_tilt_deg() * std::sin(azimuth + tilt_phase_);
-  bearing.azimuth += beam.azimuth_error + kRadPerDeg * errors_.encoder_eccentricity_deg() *
-                                              std::sin(azimuth + encoder_phase_);
-  return bearing;
+  const UnitAngle doubled{azimuth.cosine * azimuth.cosine - azimuth.sine * azimuth.sine,
+                          2. * azimuth.cosine * azimuth.sine};
+  return {beam.elevation_error + beam.once.At(azimuth) + beam.twice.At(doubled) + tilt_.At(azimuth),
+          beam.azimuth_error + encoder_.At(azimuth)};
 }
 
-bool Lidar::Hidden(const Bearing& nominal) const {
-  if (!options_.hidden_by_car()) return false;
-  const double turn = (nominal.azimuth + M_PI) / (2. * M_PI);
-  const int sector =
-      static_cast<int>(std::floor(turn * kRoof_deg.size())) % static_cast<int>(kRoof_deg.size());
-  return nominal.elevation < kRadPerDeg * kRoof_deg[sector];
+void Lidar::Fire(int column, std::vector<Shot>* shots) const {
+  const double azimuth = NominalAzimuth(column);
+  const UnitAngle believed = UnitAngle::Of(azimuth);
+  const double lowest = options_.hidden_by_car() ? kRadPerDeg * RoofAt_deg(azimuth) : -M_PI;
+  shots->clear();
+  for (int i = 0; i < beams(); ++i) {
+    const Beam& beam = beams_[i];
+    const Bearing error = Error(i, believed);
+    shots->push_back(
+        {Direction(beam.nominal, believed),
+         Direction(beam.nominal.TurnedBy(error.elevation), believed.TurnedBy(error.azimuth)),
+         beam.elevation < lowest});
+  }
 }
 
 bool Lidar::Detects(const Return& echo, Random* random) const {
@@ -104,7 +122,10 @@ double Lidar::MeasureRange(int beam, const Return& echo, Random* random) const {
   const double tangent =
       std::min(kSteepestTangent, std::sqrt(1. - echo.facing * echo.facing) / echo.facing);
   const double stretch_m = kRadPerDeg * errors_.divergence_deg() * echo.range_m * tangent;
-  const double noise_m = std::hypot(errors_.range_noise_m(), 0.1 * stretch_m) * random->Normal();
+  const double spread_m = 0.1 * stretch_m;
+  const double noise_m =
+      std::sqrt(errors_.range_noise_m() * errors_.range_noise_m() + spread_m * spread_m) *
+      random->QuickNormal();
   return echo.range_m * (1. + errors_.range_scale()) + beams_[beam].range_error_m +
          errors_.intensity_range_m() * (kGrey - echo.remission) +
          errors_.incidence_bias() * stretch_m + noise_m;

@@ -17,7 +17,22 @@ namespace semantic_kiss::simulation {
 // Where a beam points: elevation above the sensor's x-y plane, azimuth from x towards y [rad].
 struct Bearing {
   double elevation = 0., azimuth = 0.;
-  Eigen::Vector3d Direction() const;
+};
+
+// An angle by its cosine and sine.
+struct UnitAngle {
+  double cosine = 1., sine = 0.;
+
+  static UnitAngle Of(double angle_rad);
+  // The sum with an angle far below 1, exact to its fifth power over 120.
+  UnitAngle TurnedBy(double small_rad) const;
+};
+
+// One beam of a firing; directions are unit vectors in the sensor's frame.
+struct Shot {
+  Eigen::Vector3d believed;  // by the data sheet and the encoder
+  Eigen::Vector3d actual;
+  bool hidden;  // the car is in the way
 };
 
 // What a return is like, for its range error and its chance to be seen.
@@ -39,29 +54,35 @@ class Lidar {
 
   // The sweep begins and ends behind the car; the beams turn to the left.
   double NominalAzimuth(int column) const;
-  Bearing Nominal(int beam, int column) const;
-  // Where the beam points in truth when the device believes it points at `nominal`.
-  Bearing True(int beam, const Bearing& nominal) const;
-
-  // Whether the car's roof is in the beam's way.
-  bool Hidden(const Bearing& nominal) const;
+  double NominalElevation(int beam) const { return beams_[beam].elevation; }
+  // By how much a beam points elsewhere than the device believes, which sees it at `azimuth`.
+  Bearing Error(int beam, const UnitAngle& azimuth) const;
+  // All beams at once; the vector gets as many elements.
+  void Fire(int column, std::vector<Shot>* shots) const;
 
   // Whether a return is strong enough to be noticed.
   bool Detects(const Return& echo, Random* random) const;
   double MeasureRange(int beam, const Return& echo, Random* random) const;
 
  private:
+  // sine * sin(azimuth) + cosine * cos(azimuth).
+  struct Harmonic {
+    double cosine = 0., sine = 0.;
+    static Harmonic Of(double amplitude, double phase);
+    double At(const UnitAngle& a) const { return cosine * a.cosine + sine * a.sine; }
+  };
   struct Beam {
     double elevation = 0.;  // nominal
+    UnitAngle nominal;      // the same
     double elevation_error = 0., azimuth_error = 0., range_error_m = 0.;
-    double first_amplitude = 0., first_phase = 0., second_amplitude = 0., second_phase = 0.;
+    Harmonic once, twice;  // of the elevation's error, over a turn
   };
-  void DrawErrors(int bank, Random* random, Beam* beam) const;
+  Beam DrawBeam(int bank, double elevation, Random* random) const;
 
   const proto::LidarOptions options_;
   const proto::ErrorOptions errors_;
   std::vector<Beam> beams_;
-  double tilt_phase_, encoder_phase_;
+  Harmonic tilt_, encoder_;
 };
 
 // The lidar that `options` drives with; the error lists the names there are.

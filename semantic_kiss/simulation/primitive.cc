@@ -62,7 +62,7 @@ std::optional<Stretch> IntersectBox(const Primitive& box, const Eigen::Vector3d&
     if (!clip.Cut(FaceGap(box, face, o), approach, face)) return std::nullopt;
   }
   const Eigen::Vector3d normal = clip.entry < 0 ? Eigen::Vector3d(-d) : FaceNormal(box, clip.entry);
-  return Stretch{clip.near, clip.far, box.FromLocal(normal)};
+  return Stretch{clip.near, clip.far, normal};
 }
 
 std::optional<Stretch> IntersectCylinder(const Primitive& cylinder, const Eigen::Vector3d& o,
@@ -87,7 +87,7 @@ std::optional<Stretch> IntersectCylinder(const Primitive& cylinder, const Eigen:
   }
   clip.far = std::min(clip.far, (-b + root) / a);
   if (clip.near > clip.far || clip.far <= 0.) return std::nullopt;
-  return Stretch{clip.near, clip.far, cylinder.FromLocal(normal)};
+  return Stretch{clip.near, clip.far, normal};
 }
 
 std::optional<Stretch> IntersectEllipsoid(const Primitive& ellipsoid, const Eigen::Vector3d& o,
@@ -102,7 +102,7 @@ std::optional<Stretch> IntersectEllipsoid(const Primitive& ellipsoid, const Eige
   const double near = (-b - root) / a, far = (-b + root) / a;
   if (far <= 0.) return std::nullopt;
   const Eigen::Vector3d normal = (scaled_o + near * scaled_d).cwiseQuotient(ellipsoid.half);
-  return Stretch{near, far, ellipsoid.FromLocal(normal.normalized())};
+  return Stretch{near, far, normal.normalized()};
 }
 
 }  // namespace
@@ -128,14 +128,9 @@ double Primitive::PlanarRadius() const {
   return half.head<2>().norm();
 }
 
-std::optional<Stretch> Intersect(const Primitive& primitive, const Ray& ray) {
-  const Eigen::Vector3d offset = ray.origin - primitive.centre;
-  // Most candidates are missed by far: a bounding circle from above first.
-  const double radius = primitive.PlanarRadius();
-  const double cross = offset.x() * ray.direction.y() - offset.y() * ray.direction.x();
-  if (cross * cross > radius * radius * ray.direction.head<2>().squaredNorm()) return std::nullopt;
-  const Eigen::Vector3d o = primitive.ToLocal(offset);
-  const Eigen::Vector3d d = primitive.ToLocal(ray.direction);
+std::optional<Stretch> Intersect(const Primitive& primitive, const Ray& ray_in_primitive) {
+  const Eigen::Vector3d& o = ray_in_primitive.origin;
+  const Eigen::Vector3d& d = ray_in_primitive.direction;
   switch (primitive.shape) {
     case Shape::kBox:
       return IntersectBox(primitive, o, d);

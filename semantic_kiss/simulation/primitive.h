@@ -53,12 +53,12 @@ struct Primitive {
 };
 
 // The stretch of a ray inside of a primitive, near <= far, far > 0; near < 0: the ray starts
-// inside.
+// inside. Ray and normal in the primitive's own frame: from its centre, along its axes.
 struct Stretch {
   double near, far;
-  Eigen::Vector3d normal;  // of the surface at `near`, outward, world frame
+  Eigen::Vector3d normal;  // of the surface at `near`, outward
 };
-std::optional<Stretch> Intersect(const Primitive& primitive, const Ray& ray);
+std::optional<Stretch> Intersect(const Primitive& primitive, const Ray& ray_in_primitive);
 
 // Distance of a point from the surface of the primitive (of a cloud: from its inside, 0 within):
 // exact for points in front of a face, a lower bound beyond edges.

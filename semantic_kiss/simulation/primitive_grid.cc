@@ -3,8 +3,8 @@
 
 #include "semantic_kiss/simulation/primitive_grid.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 
 namespace semantic_kiss::simulation {
 namespace {
@@ -32,7 +32,6 @@ PrimitiveGrid::PrimitiveGrid(const std::vector<Primitive>& primitives) {
   columns_ = static_cast<int>(bounds.sizes().x() / kCell_m) + 1;
   rows_ = static_cast<int>(bounds.sizes().y() / kCell_m) + 1;
   const size_t cells = static_cast<size_t>(columns_) * rows_;
-  cell_top_m_.assign(cells, -std::numeric_limits<float>::infinity());
   cell_begin_.assign(cells + 1, 0);
 
   const auto for_each_cell = [&](const Primitive& primitive, const auto& body) {
@@ -51,10 +50,7 @@ PrimitiveGrid::PrimitiveGrid(const std::vector<Primitive>& primitives) {
     }
   };
   for (const Primitive& primitive : primitives) {
-    for_each_cell(primitive, [&](size_t cell) {
-      ++cell_begin_[cell + 1];
-      cell_top_m_[cell] = std::max(cell_top_m_[cell], static_cast<float>(primitive.Top()) + 0.01f);
-    });
+    for_each_cell(primitive, [&](size_t cell) { ++cell_begin_[cell + 1]; });
   }
   for (size_t i = 0; i < cells; ++i) cell_begin_[i + 1] += cell_begin_[i];
   indices_.resize(cell_begin_.back());

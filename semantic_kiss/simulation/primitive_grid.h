@@ -5,70 +5,109 @@
 #define SEMANTIC_KISS_SIMULATION_PRIMITIVE_GRID_H_
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "semantic_kiss/simulation/floor.h"
 #include "semantic_kiss/simulation/primitive.h"
-#include "semantic_kiss/simulation/ray.h"
 
 namespace semantic_kiss::simulation {
 
-// Finds the primitives near a ray: a uniform grid of columns in the plane, each with the primitives
-// that touch it and the height of the tallest.
+// A piece of the plane that opens from a point: what lies ahead, between two lines.
+struct Wedge {
+  Eigen::Vector2d tip = Eigen::Vector2d::Zero();
+  Eigen::Vector2d heading = Eigen::Vector2d::UnitX();  // unit
+  // The lines drift to the left of the heading by this a metre ahead; right <= left, |.| < 1.
+  double left = 0., right = 0.;
+  double reach_m = 0.;  // ahead
+
+  Eigen::Vector2d LeftEdge() const { return Edge(left); }
+  Eigen::Vector2d RightEdge() const { return Edge(right); }
+  // Not of unit length: advances by a metre ahead.
+  Eigen::Vector2d Edge(double drift) const {
+    return heading + drift * Eigen::Vector2d(-heading.y(), heading.x());
+  }
+};
+
+// Finds the primitives that a wedge may touch: a uniform grid of square cells in the plane, each
+// with the primitives that touch it.
 class PrimitiveGrid {
  public:
   // Keeps copies of nothing: cells hold indices into `primitives`.
   explicit PrimitiveGrid(const std::vector<Primitive>& primitives);
 
-  // Calls visit(index, limit) for the primitives of the cells that the ray passes within `limit`,
-  // cell by cell in the ray's order; visit returns the new limit, which must not grow. A primitive
-  // may be visited more than once.
+  // Calls visit(index) for the primitives of the cells that the wedge touches; a primitive may be
+  // visited more than once.
   template <typename Visit>
-  void Walk(const Ray& ray, double limit, const Visit& visit) const;
+  void ForEachIn(const Wedge& wedge, const Visit& visit) const;
+
+  // The same for the square of half-side `reach_m` around a point.
+  template <typename Visit>
+  void ForEachAround(const Eigen::Vector2d& point, double reach_m, const Visit& visit) const;
 
  private:
   static constexpr double kCell_m = 2.5;
 
+  // Visits the cells first..last, both included, of line `line`: along x if lines_are_rows, else
+  // along y.
+  template <typename Visit>
+  void ForEachOnLine(bool lines_are_rows, int64_t line, int64_t first, int64_t last,
+                     const Visit& visit) const;
+
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   int columns_ = 0, rows_ = 0;
   std::vector<uint32_t> cell_begin_;  // one more than cells
-  std::vector<float> cell_top_m_;
   std::vector<uint32_t> indices_;
 };
 
 template <typename Visit>
-void PrimitiveGrid::Walk(const Ray& ray, double limit, const Visit& visit) const {
-  // Per axis: the cell, its direction of change, and the ray's parameters where it changes.
-  const Eigen::Vector2d start = (ray.origin.head<2>() - origin_) / kCell_m;
-  int cell[2], step[2];
-  double next[2], delta[2];
-  for (int axis : {0, 1}) {
-    const double d = ray.direction[axis];
-    cell[axis] = static_cast<int>(std::floor(start[axis]));
-    step[axis] = d > 0. ? 1 : -1;
-    delta[axis] = kCell_m / std::max(std::abs(d), 1e-12);
-    const double to_edge = d > 0. ? cell[axis] + 1 - start[axis] : start[axis] - cell[axis];
-    next[axis] = to_edge * delta[axis];
+void PrimitiveGrid::ForEachOnLine(bool lines_are_rows, int64_t line, int64_t first, int64_t last,
+                                  const Visit& visit) const {
+  if (line < 0 || line >= (lines_are_rows ? rows_ : columns_)) return;
+  first = std::max<int64_t>(first, 0);
+  last = std::min<int64_t>(last, (lines_are_rows ? columns_ : rows_) - 1);
+  const int64_t stride = lines_are_rows ? 1 : columns_;
+  const int64_t start = lines_are_rows ? line * columns_ : line;
+  for (int64_t cell = start + first * stride; first <= last; ++first, cell += stride) {
+    for (uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) visit(indices_[i]);
   }
-  double t = 0.;
-  while (t < limit) {
-    const int axis = next[0] < next[1] ? 0 : 1;
-    const double leave = next[axis];
-    if (cell[0] >= 0 && cell[1] >= 0 && cell[0] < columns_ && cell[1] < rows_) {
-      const size_t k = static_cast<size_t>(cell[1]) * columns_ + cell[0];
-      const double lowest =
-          ray.origin.z() +
-          ray.direction.z() * (ray.direction.z() > 0. ? t : std::min(leave, limit));
-      if (lowest <= cell_top_m_[k]) {
-        for (uint32_t i = cell_begin_[k]; i < cell_begin_[k + 1]; ++i) {
-          limit = visit(indices_[i], limit);
-        }
-      }
-    }
-    t = leave;
-    next[axis] += delta[axis];
-    cell[axis] += step[axis];
+}
+
+template <typename Visit>
+void PrimitiveGrid::ForEachIn(const Wedge& wedge, const Visit& visit) const {
+  // Line by line along the axis nearest to the heading, what is between the edges.
+  const int major = std::abs(wedge.heading.x()) > std::abs(wedge.heading.y()) ? 0 : 1;
+  const int minor = 1 - major;
+  const int step = wedge.heading[major] > 0. ? 1 : -1;
+  const Eigen::Vector2d tip = (wedge.tip - origin_) / kCell_m;
+  const Eigen::Vector2d left = wedge.LeftEdge(), right = wedge.RightEdge();
+  // Way across a line for a line ahead.
+  const double left_slope = left[minor] / std::abs(left[major]);
+  const double right_slope = right[minor] / std::abs(right[major]);
+  const int64_t first = Floor(tip[major]);
+  const double to_first = step > 0 ? static_cast<double>(first) - tip[major]
+                                   : tip[major] - static_cast<double>(first + 1);
+  const double reach =
+      wedge.reach_m / kCell_m * std::max(std::abs(left[major]), std::abs(right[major]));
+  int64_t line = first;
+  for (double enter = to_first; enter < reach; enter += 1., line += step) {
+    const double begin = std::max(0., enter), end = enter + 1.;
+    const auto across =
+        std::minmax({begin * left_slope, begin * right_slope, end * left_slope, end * right_slope});
+    ForEachOnLine(major == 1, line, Floor(tip[minor] + across.first),
+                  Floor(tip[minor] + across.second), visit);
+  }
+}
+
+template <typename Visit>
+void PrimitiveGrid::ForEachAround(const Eigen::Vector2d& point, double reach_m,
+                                  const Visit& visit) const {
+  const Eigen::Vector2d centre = (point - origin_) / kCell_m;
+  const double reach = reach_m / kCell_m;
+  for (int64_t row = Floor(centre.y() - reach); row <= Floor(centre.y() + reach); ++row) {
+    ForEachOnLine(true, row, Floor(centre.x() - reach), Floor(centre.x() + reach), visit);
   }
 }
 

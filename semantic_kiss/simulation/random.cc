@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "semantic_kiss/simulation/floor.h"
+
 namespace semantic_kiss::simulation {
 namespace {
 
@@ -23,13 +25,22 @@ double Random::Normal() {
   return radius * std::cos(2. * M_PI * Uniform());
 }
 
+double Random::QuickNormal() {
+  // The eight bytes of a hash, added up two by two, then all.
+  const uint64_t hash = Next();
+  constexpr uint64_t kEveryOther = 0x00ff00ff00ff00ff;
+  const uint64_t pairs = (hash & kEveryOther) + ((hash >> 8) & kEveryOther);
+  const uint64_t sum = (pairs * 0x0001000100010001) >> 48;
+  constexpr double kMean = 8. * 127.5;
+  constexpr double kPerDeviation = 1. / 209.022;  // sqrt(8 * (256^2 - 1) / 12)
+  return (static_cast<double>(sum) - kMean) * kPerDeviation;
+}
+
 double SmoothNoise(uint64_t key, double x, double y) {
-  const double floor_x = std::floor(x);
-  const double floor_y = std::floor(y);
-  const auto i = static_cast<int64_t>(floor_x);
-  const auto j = static_cast<int64_t>(floor_y);
-  const double u = Fade(x - floor_x);
-  const double v = Fade(y - floor_y);
+  const int64_t i = Floor(x);
+  const int64_t j = Floor(y);
+  const double u = Fade(x - static_cast<double>(i));
+  const double v = Fade(y - static_cast<double>(j));
   const double low = LatticeValue(key, i, j) * (1. - u) + LatticeValue(key, i + 1, j) * u;
   const double high = LatticeValue(key, i, j + 1) * (1. - u) + LatticeValue(key, i + 1, j + 1) * u;
   return low * (1. - v) + high * v;

@@ -8,7 +8,7 @@
 
 namespace semantic_kiss::simulation {
 
-// A half-line in the world: origin + t * direction, t >= 0.
+// A half-line: origin + t * direction, t >= 0. In the world if nothing else is said.
 struct Ray {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;  // unit

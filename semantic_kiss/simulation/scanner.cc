@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "semantic_kiss/simulation/floor.h"
 #include "semantic_kiss/simulation/random.h"
 
 namespace semantic_kiss::simulation {
@@ -26,14 +27,13 @@ struct Scanner::SweepState {
 
 // What all beams of a firing share.
 struct Scanner::Column {
-  double fraction;        // of the sweep that has passed
-  double since_middle_s;  // of the sweep
   int index;
+  double fraction;  // of the sweep that has passed
   Eigen::Vector3d origin;
-  Eigen::Matrix3d world_from_sensor;
   Eigen::Matrix3d written_from_sensor;  // what deskewing does
   Eigen::Vector3d written_offset;
-  std::vector<const MovingThing*> things;  // that a beam may meet
+  std::vector<Shot> shots;                  // by beam
+  std::vector<Eigen::Vector3d> directions;  // of the shots, world frame
 };
 
 Scanner::Scanner(const World& world, const Traffic& traffic, const Lidar& lidar,
@@ -43,7 +43,8 @@ Scanner::Scanner(const World& world, const Traffic& traffic, const Lidar& lidar,
       traffic_(traffic),
       lidar_(lidar),
       world_from_lidar_(world_from_lidar),
-      options_(options) {}
+      options_(options),
+      vertical_error_(UnitAngle::Of(options.errors().vertical_angle_deg() * M_PI / 180.)) {}
 
 Scanner::SweepState Scanner::BeginSweep(int scan) const {
   SweepState state;
@@ -61,112 +62,97 @@ Scanner::SweepState Scanner::BeginSweep(int scan) const {
   return state;
 }
 
-Scanner::Column Scanner::BeginColumn(const SweepState& sweep, int index) const {
-  Column column;
-  column.index = index;
-  column.fraction = (index + 0.5) / lidar_.columns();
-  column.since_middle_s = (column.fraction - 0.5) / options_.scan_rate_hz();
-  const Twist back = (column.fraction - 1.) * sweep.motion;
+void Scanner::BeginColumn(const SweepState& sweep, int index, Column* column, RayFan* fan) const {
+  column->index = index;
+  column->fraction = (index + 0.5) / lidar_.columns();
+  const Twist back = (column->fraction - 1.) * sweep.motion;
   const Rigid3d world_from_sensor = sweep.world_from_end * Exp(back);
-  column.origin = world_from_sensor.translation();
-  column.world_from_sensor = world_from_sensor.rotation().toRotationMatrix();
+  column->origin = world_from_sensor.translation();
   const Rigid3d written_from_sensor = Exp(sweep.motion_removed * back);
-  column.written_from_sensor = written_from_sensor.rotation().toRotationMatrix();
-  column.written_offset = written_from_sensor.translation();
+  column->written_from_sensor = written_from_sensor.rotation().toRotationMatrix();
+  column->written_offset = written_from_sensor.translation();
 
-  const double azimuth = lidar_.NominalAzimuth(index);
-  const Eigen::Vector2d ahead =
-      (column.world_from_sensor * Bearing{0., azimuth}.Direction()).head<2>();
+  lidar_.Fire(index, &column->shots);
+  const Eigen::Matrix3d rotation = world_from_sensor.rotation().toRotationMatrix();
+  column->directions.clear();
+  for (const Shot& shot : column->shots) column->directions.push_back(rotation * shot.actual);
+  fan->Open(column->origin, column->directions);
+  // As seen from what moves, the sensor moves.
+  const double since_middle_s = (column->fraction - 0.5) / options_.scan_rate_hz();
   for (const MovingThing& thing : sweep.things) {
-    // Generous: beams differ a little in azimuth, and the thing moves during the sweep.
-    const Eigen::Vector2d offset = thing.centre - column.origin.head<2>();
-    const double reach = thing.radius_m + 0.06 * offset.norm() + 3.;
-    const double across = offset.x() * ahead.y() - offset.y() * ahead.x();
-    if (std::abs(across) < reach && offset.dot(ahead) > -reach) column.things.push_back(&thing);
+    for (const Primitive& piece : thing.pieces) {
+      fan->AddMoving(piece, column->origin - since_middle_s * thing.velocity);
+    }
   }
-  return column;
 }
 
 SimulatedScan Scanner::Sweep(int scan) const {
+  constexpr int kLost = -1;  // as beam
   const SweepState sweep = BeginSweep(scan);
-  std::vector<SimulatedScan> by_beam(lidar_.beams());
-  for (SimulatedScan& points : by_beam) points.reserve(lidar_.columns());
+  const uint64_t scan_key =
+      HashKey({static_cast<uint64_t>(options_.seed()), static_cast<uint64_t>(Purpose::kRay),
+               static_cast<uint64_t>(scan)});
+  RayFan fan(world_, lidar_.options().max_range_m());
+  Column column;
+  SimulatedScan points(static_cast<size_t>(lidar_.beams()) * lidar_.columns());
   for (int index = 0; index < lidar_.columns(); ++index) {
-    const Column column = BeginColumn(sweep, index);
+    BeginColumn(sweep, index, &column, &fan);
     for (int beam = 0; beam < lidar_.beams(); ++beam) {
-      const uint64_t key =
-          HashKey({static_cast<uint64_t>(options_.seed()), static_cast<uint64_t>(Purpose::kRay),
-                   static_cast<uint64_t>(scan),
-                   static_cast<uint64_t>(beam) << 32 | static_cast<uint64_t>(index)});
-      const std::optional<SimulatedPoint> point = Fire(column, beam, key);
-      if (point) by_beam[beam].push_back(*point);
+      const size_t place = static_cast<size_t>(beam) * lidar_.columns() + index;
+      const std::optional<SimulatedPoint> point =
+          Fire(column, fan, beam, HashKey({scan_key, place}));
+      if (point) {
+        points[place] = *point;
+      } else {
+        points[place].beam = kLost;
+      }
     }
   }
-  SimulatedScan scan_points;
-  scan_points.reserve(static_cast<size_t>(lidar_.columns()) * lidar_.beams());
-  for (const SimulatedScan& points : by_beam) {
-    scan_points.insert(scan_points.end(), points.begin(), points.end());
-  }
-  return scan_points;
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const SimulatedPoint& point) { return point.beam == kLost; }),
+               points.end());
+  return points;
 }
 
-std::optional<SimulatedPoint> Scanner::Fire(const Column& column, int beam, uint64_t key) const {
-  const Bearing nominal = lidar_.Nominal(beam, column.index);
-  if (lidar_.Hidden(nominal)) return std::nullopt;
+std::optional<SimulatedPoint> Scanner::Fire(const Column& column, const RayFan& fan, int beam,
+                                            uint64_t key) const {
+  const Shot& shot = column.shots[beam];
+  if (shot.hidden) return std::nullopt;
   Random random(key);
-  const Ray ray{column.origin, column.world_from_sensor * lidar_.True(beam, nominal).Direction()};
-  const std::optional<Hit> hit = Cast(column, ray, random.Next());
+  const Eigen::Vector3d& direction = column.directions[beam];
+  const std::optional<Hit> hit = fan.Cast(beam, random.Next());
   if (!hit || hit->range_m < lidar_.options().min_range_m()) return std::nullopt;
   if (random.Chance(hit->material.mirror)) return std::nullopt;
   // Leaves hang every way.
   const double facing = hit->texture == Texture::kCloud
                             ? random.Uniform(0.3, 1.)
-                            : std::clamp(std::abs(hit->normal.dot(ray.direction)), 0.01, 1.);
+                            : std::clamp(std::abs(hit->normal.dot(direction)), 0.01, 1.);
   const double remission = std::clamp(
-      hit->material.remission + hit->material.remission_spread * random.Normal(), 0.01, 1.);
+      hit->material.remission + hit->material.remission_spread * random.QuickNormal(), 0.01, 1.);
   const Return echo{hit->range_m, remission, facing};
   if (!lidar_.Detects(echo, &random)) return std::nullopt;
 
   SimulatedPoint point;
-  point.position = Written(column, lidar_.MeasureRange(beam, echo, &random) * nominal.Direction());
-  point.remission = static_cast<float>(std::round(100. * remission) / 100.);
+  point.position = Written(column, lidar_.MeasureRange(beam, echo, &random) * shot.believed);
+  point.remission = static_cast<float>(static_cast<double>(Floor(100. * remission + 0.5)) / 100.);
   point.time_s = static_cast<float>((column.fraction - 1.) / options_.scan_rate_hz());
   point.label = hit->material.label;
   point.object = hit->object;
   point.primitive = hit->primitive;
   point.moving = hit->moving;
-  point.true_position = (ray.origin + hit->range_m * ray.direction).cast<float>();
+  point.true_position = (column.origin + hit->range_m * direction).cast<float>();
   point.beam = beam;
   point.column = column.index;
   return point;
 }
 
-std::optional<Hit> Scanner::Cast(const Column& column, const Ray& ray, uint64_t key) const {
-  std::optional<Hit> best = world_.Cast(ray, lidar_.options().max_range_m(), key);
-  double limit_m = best ? best->range_m : lidar_.options().max_range_m();
-  for (const MovingThing* thing : column.things) {
-    // As seen from the thing, the sensor moves.
-    const Ray seen{ray.origin - column.since_middle_s * thing->velocity, ray.direction};
-    for (const Primitive& piece : thing->pieces) {
-      const std::optional<Stretch> stretch = Intersect(piece, seen);
-      if (!stretch || stretch->near > limit_m) continue;
-      const std::optional<double> t = StopIn(piece, *stretch, key);
-      if (!t || *t >= limit_m) continue;
-      limit_m = *t;
-      best = Hit{*t, stretch->normal, piece.material, piece.object, piece.texture, -1, true};
-    }
-  }
-  return best;
-}
-
 Eigen::Vector3f Scanner::Written(const Column& column, const Eigen::Vector3d& measured) const {
   Eigen::Vector3d point = column.written_from_sensor * measured + column.written_offset;
   // The vertical error turns the point down in the upright plane through the sensor's axis.
-  const double angle_rad = options_.errors().vertical_angle_deg() * M_PI / 180.;
   const double level = point.head<2>().norm();
   if (level > 1e-9) {
-    const double turned = level * std::cos(angle_rad) + point.z() * std::sin(angle_rad);
-    point.z() = point.z() * std::cos(angle_rad) - level * std::sin(angle_rad);
+    const double turned = level * vertical_error_.cosine + point.z() * vertical_error_.sine;
+    point.z() = point.z() * vertical_error_.cosine - level * vertical_error_.sine;
     point.head<2>() *= turned / level;
   }
   return point.cast<float>();

@@ -13,6 +13,7 @@
 #include "cartographer/transform/se3.h"
 #include "semantic_kiss/simulation/lidar.h"
 #include "semantic_kiss/simulation/proto/simulation_options.pb.h"
+#include "semantic_kiss/simulation/ray_fan.h"
 #include "semantic_kiss/simulation/traffic.h"
 #include "semantic_kiss/simulation/world.h"
 
@@ -51,10 +52,10 @@ class Scanner {
   struct SweepState;
   struct Column;
   SweepState BeginSweep(int scan) const;
-  Column BeginColumn(const SweepState& sweep, int column) const;
+  void BeginColumn(const SweepState& sweep, int index, Column* column, RayFan* fan) const;
   // The return of one beam, if there is one.
-  std::optional<SimulatedPoint> Fire(const Column& column, int beam, uint64_t key) const;
-  std::optional<Hit> Cast(const Column& column, const Ray& ray, uint64_t key) const;
+  std::optional<SimulatedPoint> Fire(const Column& column, const RayFan& fan, int beam,
+                                     uint64_t key) const;
   Eigen::Vector3f Written(const Column& column, const Eigen::Vector3d& measured) const;
 
   const World& world_;
@@ -62,6 +63,7 @@ class Scanner {
   const Lidar& lidar_;
   const std::vector<cartographer::transform::Rigid3d>& world_from_lidar_;
   const proto::SimulationOptions& options_;
+  const UnitAngle vertical_error_;
 };
 
 }  // namespace semantic_kiss::simulation

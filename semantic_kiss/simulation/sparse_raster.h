@@ -8,11 +8,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "glog/logging.h"
+#include "semantic_kiss/simulation/floor.h"
 
 namespace semantic_kiss::simulation {
 
@@ -35,7 +35,7 @@ class SparseRaster {
 
   double step() const { return step_; }
   // The node at or below a coordinate [m].
-  int Node(double coordinate) const { return static_cast<int>(std::floor(coordinate * per_step_)); }
+  int Node(double coordinate) const { return static_cast<int>(Floor(coordinate * per_step_)); }
 
   const T& At(int i, int j) const {
     const std::vector<T>* tile = FindTile(i, j);
@@ -59,20 +59,21 @@ class SparseRaster {
   Patch PatchAt(double x, double y) const {
     const double scaled_x = x * per_step_;
     const double scaled_y = y * per_step_;
-    const double floor_x = std::floor(scaled_x);
-    const double floor_y = std::floor(scaled_y);
-    const int i = static_cast<int>(floor_x);
-    const int j = static_cast<int>(floor_y);
+    const int i = static_cast<int>(Floor(scaled_x));
+    const int j = static_cast<int>(Floor(scaled_y));
     Patch patch;
-    patch.u = scaled_x - floor_x;
-    patch.v = scaled_y - floor_y;
+    patch.u = scaled_x - i;
+    patch.v = scaled_y - j;
     if (((i + 1) & (kTile - 1)) != 0 && ((j + 1) & (kTile - 1)) != 0) {
+      // All in one tile.
       const std::vector<T>* tile = FindTile(i, j);
-      if (tile != nullptr && !tile->empty()) {
-        const T* low = tile->data() + Offset(i, j);
-        patch.corners = {low, low + 1, low + kTile, low + kTile + 1};
+      if (tile == nullptr || tile->empty()) {
+        patch.corners = {&absent_, &absent_, &absent_, &absent_};
         return patch;
       }
+      const T* low = tile->data() + Offset(i, j);
+      patch.corners = {low, low + 1, low + kTile, low + kTile + 1};
+      return patch;
     }
     patch.corners = {&At(i, j), &At(i + 1, j), &At(i, j + 1), &At(i + 1, j + 1)};
     return patch;

@@ -139,7 +139,6 @@ std::vector<MovingThing> Traffic::At(double scan, double reach_m, const Ground& 
                                                   : MakePerson(stand, true, random);
     thing.velocity << speed * pose.Forward(), 0.;
     thing.centre = position;
-    thing.radius_m = 0.5 * kTruckLength_m + 0.6;
     things.push_back(std::move(thing));
   }
   return things;

@@ -19,8 +19,7 @@ namespace semantic_kiss::simulation {
 struct MovingThing {
   std::vector<Primitive> pieces;
   Eigen::Vector3d velocity;  // [m/s], world frame
-  Eigen::Vector2d centre;    // a circle around the pieces, seen from above
-  double radius_m;
+  Eigen::Vector2d centre;    // seen from above
 };
 
 // Cars, cyclists and pedestrians that the drive meets: they follow the route's line at a sideways

@@ -69,7 +69,7 @@ TEST(GroundTest, IntersectionAgreesWithWalking) {
       return p.z() > ground.Height(p.head<2>());
     };
     while (walked < 40. && above(walked)) walked += 0.01;
-    const auto hit = ground.Intersect(ray, 40.);
+    const auto hit = ground.Intersect(ray, 0., 40.);
     ASSERT_EQ(hit.has_value(), walked < 40.) << i;
     if (!hit) continue;
     ++hits;
@@ -79,6 +79,22 @@ TEST(GroundTest, IntersectionAgreesWithWalking) {
   EXPECT_GT(hits, 150);
   // A ray may slip over a crest lower than a step of the search.
   EXPECT_LE(slips, hits / 50);
+}
+
+TEST(GroundTest, SearchesMayBeginNearTheGround) {
+  const auto drive = SmallDrive();
+  const Ground& ground = drive->world().ground();
+  const Eigen::Vector2d start = drive->route().poses[0].position;
+  const Ray ray{{start.x(), start.y(), ground.Height(start) + 1.7},
+                Eigen::Vector3d(0.95, 0., -0.2).normalized()};
+  const auto hit = ground.Intersect(ray, 0., 40.);
+  ASSERT_TRUE(hit);
+  for (const double from : {0.5 * *hit, *hit - 0.01, *hit + 0.5}) {
+    const auto again = ground.Intersect(ray, from, 40.);
+    ASSERT_TRUE(again) << from;
+    EXPECT_NEAR(*again, *hit, 0.03) << from;
+  }
+  EXPECT_FALSE(ground.Intersect(ray, 0., *hit - 0.1));
 }
 
 TEST(GroundTest, StreetsHaveKerbsSidewalksAndMarkings) {

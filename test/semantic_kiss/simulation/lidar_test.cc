@@ -5,13 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "test/semantic_kiss/simulation/small_drive.h"
 
 namespace semantic_kiss::simulation {
 namespace {
+
+constexpr double kDeg = M_PI / 180.;
 
 Lidar SmallLidar(const std::string& overrides, uint64_t seed = 1) {
   const proto::SimulationOptions options = SmallOptions(overrides);
@@ -21,36 +25,76 @@ Lidar SmallLidar(const std::string& overrides, uint64_t seed = 1) {
 TEST(LidarTest, BeamsSpreadFromTopToBottomAndTurnLeft) {
   const Lidar lidar = SmallLidar(kNoErrors);
   ASSERT_EQ(lidar.beams(), 16);
-  EXPECT_NEAR(lidar.Nominal(0, 0).elevation, 2. * M_PI / 180., 1e-9);
-  EXPECT_NEAR(lidar.Nominal(15, 0).elevation, -24. * M_PI / 180., 1e-9);
+  EXPECT_NEAR(lidar.NominalElevation(0), 2. * kDeg, 1e-9);
+  EXPECT_NEAR(lidar.NominalElevation(15), -24. * kDeg, 1e-9);
   EXPECT_NEAR(lidar.NominalAzimuth(0), -M_PI, 0.02);
   EXPECT_NEAR(lidar.NominalAzimuth(150), 0., 0.02);
   EXPECT_NEAR(lidar.NominalAzimuth(225), M_PI / 2., 0.02);
-  const Eigen::Vector3d left = Bearing{0., M_PI / 2.}.Direction();
-  EXPECT_NEAR((left - Eigen::Vector3d::UnitY()).norm(), 0., 1e-12);
+  std::vector<Shot> shots;
+  lidar.Fire(225, &shots);
+  ASSERT_EQ(shots.size(), 16u);
+  EXPECT_NEAR(shots[0].believed.y(), std::cos(2. * kDeg), 1e-3);
+  EXPECT_NEAR(shots[15].believed.z(), std::sin(-24. * kDeg), 1e-12);
 }
 
 TEST(LidarTest, WithoutErrorsTheDataSheetIsTrue) {
   const Lidar lidar = SmallLidar(kNoErrors);
   Random random(1);
-  for (int beam = 0; beam < lidar.beams(); ++beam) {
-    const Bearing nominal = lidar.Nominal(beam, 17 * beam);
-    EXPECT_EQ(lidar.True(beam, nominal).elevation, nominal.elevation);
-    EXPECT_EQ(lidar.True(beam, nominal).azimuth, nominal.azimuth);
-    EXPECT_EQ(lidar.MeasureRange(beam, {20., 0.7, 0.1}, &random), 20.);
+  std::vector<Shot> shots;
+  for (int column = 0; column < lidar.columns(); column += 17) {
+    lidar.Fire(column, &shots);
+    for (int beam = 0; beam < lidar.beams(); ++beam) {
+      EXPECT_EQ(shots[beam].actual, shots[beam].believed);
+      EXPECT_EQ(lidar.MeasureRange(beam, {20., 0.7, 0.1}, &random), 20.);
+    }
   }
+}
+
+// Directions follow from the errors of the angles by exact trigonometry.
+TEST(LidarTest, ShotsPointWhereTheErrorsSay) {
+  const Lidar lidar = SmallLidar(
+      "for _, name in ipairs({'beam_elevation_deg', 'beam_azimuth_deg', 'axis_tilt_deg',\n"
+      "    'directional_elevation_deg', 'encoder_eccentricity_deg', 'bank_elevation_deg'}) do\n"
+      "  options.errors[name] = 20. * options.errors[name]\n"
+      "end");
+  std::vector<Shot> shots;
+  double largest = 0.;
+  for (int column = 0; column < lidar.columns(); ++column) {
+    lidar.Fire(column, &shots);
+    const double azimuth = lidar.NominalAzimuth(column);
+    for (int beam = 0; beam < lidar.beams(); ++beam) {
+      const Bearing error = lidar.Error(beam, UnitAngle::Of(azimuth));
+      const double e = lidar.NominalElevation(beam) + error.elevation;
+      const double a = azimuth + error.azimuth;
+      const Eigen::Vector3d expected(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a),
+                                     std::sin(e));
+      EXPECT_LT((shots[beam].actual - expected).norm(), 1e-8);
+      largest = std::max(largest, std::abs(error.elevation));
+    }
+  }
+  EXPECT_GT(largest, 1. * kDeg) << "no error to speak of";
+}
+
+TEST(LidarTest, TheRoofHidesTheLowestBeams) {
+  const proto::SimulationOptions options = SmallOptions("options.lidars[1].hidden_by_car = true");
+  const Lidar lidar(options.lidars(0), options.errors(), 1);
+  std::vector<Shot> shots;
+  lidar.Fire(0, &shots);  // backwards
+  EXPECT_FALSE(shots[0].hidden);
+  EXPECT_TRUE(shots[15].hidden);
+  lidar.Fire(100, &shots);  // to the right
+  EXPECT_FALSE(shots[15].hidden);
 }
 
 // Each error alone, as big as its option says.
 TEST(LidarTest, ErrorsHaveTheirSizes) {
   const std::string none = kNoErrors;
-  constexpr double kDeg = M_PI / 180.;
   {
     const Lidar lidar = SmallLidar(none + "options.errors.axis_tilt_deg = 0.5");
     double largest = 0.;
     for (int column = 0; column < 300; ++column) {
-      const Bearing nominal = lidar.Nominal(3, column);
-      largest = std::max(largest, lidar.True(3, nominal).elevation - nominal.elevation);
+      const UnitAngle azimuth = UnitAngle::Of(lidar.NominalAzimuth(column));
+      largest = std::max(largest, lidar.Error(3, azimuth).elevation);
     }
     EXPECT_NEAR(largest, 0.5 * kDeg, 1e-3 * kDeg);
   }
@@ -58,8 +102,8 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
     const Lidar lidar = SmallLidar(none + "options.errors.encoder_eccentricity_deg = 0.2");
     double largest = 0.;
     for (int column = 0; column < 300; ++column) {
-      const Bearing nominal = lidar.Nominal(3, column);
-      largest = std::max(largest, lidar.True(3, nominal).azimuth - nominal.azimuth);
+      const UnitAngle azimuth = UnitAngle::Of(lidar.NominalAzimuth(column));
+      largest = std::max(largest, lidar.Error(3, azimuth).azimuth);
     }
     EXPECT_NEAR(largest, 0.2 * kDeg, 1e-3 * kDeg);
   }
@@ -70,8 +114,7 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
         SmallOptions(none + "options.errors.beam_elevation_deg = 0.1");
     for (int seed = 0; seed < kDevices; ++seed) {
       const Lidar lidar(options.lidars(0), options.errors(), static_cast<uint64_t>(seed));
-      const Bearing nominal = lidar.Nominal(5, 0);
-      squares += std::pow((lidar.True(5, nominal).elevation - nominal.elevation) / kDeg, 2);
+      squares += std::pow(lidar.Error(5, UnitAngle::Of(0.3)).elevation / kDeg, 2);
     }
     EXPECT_NEAR(std::sqrt(squares / kDevices), 0.1, 0.012);
   }

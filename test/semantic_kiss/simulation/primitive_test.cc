@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "semantic_kiss/simulation/random.h"
@@ -50,6 +51,15 @@ Ray RandomRay(Random* random) {
   return ray;
 }
 
+// In the world's frame.
+std::optional<Stretch> Meet(const Primitive& primitive, const Ray& ray) {
+  std::optional<Stretch> stretch = Intersect(
+      primitive,
+      {primitive.ToLocal(ray.origin - primitive.centre), primitive.ToLocal(ray.direction)});
+  if (stretch) stretch->normal = primitive.FromLocal(stretch->normal);
+  return stretch;
+}
+
 class PrimitiveTest : public ::testing::TestWithParam<Shape> {};
 
 // The oracle walks along the ray in small steps.
@@ -66,7 +76,7 @@ TEST_P(PrimitiveTest, IntersectionAgreesWithWalking) {
       if (first < 0.) first = t;
       last = t;
     }
-    const auto stretch = Intersect(primitive, ray);
+    const auto stretch = Meet(primitive, ray);
     if (first < 0.) {
       if (stretch) {
         EXPECT_LT(stretch->far - std::max(0., stretch->near), 0.06) << trial;
@@ -95,7 +105,7 @@ TEST(PrimitiveTest, UprightRayMeetsTheTop) {
     Primitive primitive;
     primitive.shape = shape;
     const auto stretch =
-        Intersect(primitive, {Eigen::Vector3d(0.01, 0.02, 5.), -Eigen::Vector3d::UnitZ()});
+        Meet(primitive, {Eigen::Vector3d(0.01, 0.02, 5.), -Eigen::Vector3d::UnitZ()});
     ASSERT_TRUE(stretch);
     EXPECT_NEAR(stretch->near, 4.5, 0.01);
     EXPECT_GT(stretch->normal.z(), 0.9);
@@ -104,7 +114,7 @@ TEST(PrimitiveTest, UprightRayMeetsTheTop) {
 
 TEST(PrimitiveTest, NothingBehindTheOrigin) {
   Primitive primitive;
-  EXPECT_FALSE(Intersect(primitive, {Eigen::Vector3d(3., 0., 0.), Eigen::Vector3d::UnitX()}));
+  EXPECT_FALSE(Meet(primitive, {Eigen::Vector3d(3., 0., 0.), Eigen::Vector3d::UnitX()}));
 }
 
 TEST(PrimitiveTest, CloudsAreNearFromWithin) {

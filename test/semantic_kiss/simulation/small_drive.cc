@@ -19,6 +19,7 @@ proto::SimulationOptions SmallOptions(const std::string& overrides) {
   const std::string source =
       "local options = include \"simulation.lua\"\n"
       "options.route.length_m = 60.\n"
+      "options.world.margin_m = 40.\n"
       "options.lidar = \"small\"\n"
       "options.lidars = {{ name = \"small\", banks = {{ beams = 16, first_elevation_deg = 2., "
       "last_elevation_deg = -24. }}, columns = 300, min_range_m = 1., max_range_m = 60., "
