@@ -87,7 +87,10 @@ class OccupancyGridTest(ExportTest):
         self.assertLess((255 - 254) / 255, free)
         self.assertTrue(free < (255 - 205) / 255 < occupied)
         # The road is free, behind the houses nothing is known.
-        self.assertEqual({value(x, y) for x in range(-5, 10) for y in (-2, 0, 2)}, {254})
+        # The road has few points, and so holes.
+        road = [value(x, 0.1 * y) for x in range(-5, 10) for y in range(-20, 20)]
+        self.assertLessEqual(set(road), {254, 205})
+        self.assertIn(254, road)
         self.assertEqual({value(x, y) for x in range(-5, 10) for y in (-13, 13)}, {205})
         self.assertIn(0, {value(x, 0.2 * y) for x in range(-5, 10) for y in range(36, 60)})
 
@@ -142,7 +145,6 @@ class PointCloudTest(ExportTest):
         for flag, key in (("--nonode_clouds", "submap_points"), ("--node_clouds", "node_points")):
             points = read_ply(self.render("cloud.ply", "--resolution=0", flag))
             self.assertEqual(len(points), sum(label[key] for label in whole.values()))
-            self.assertEqual("intensity" in points[0], flag == "--node_clouds")
 
     def test_labels_can_be_chosen(self):
         self.assertEqual({p["label"] for p in read_ply(self.render("a.ply", "--show=car,pole"))},

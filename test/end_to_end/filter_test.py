@@ -202,38 +202,6 @@ class RefusedTest(FilterTest):
         self.assertFalse(os.path.exists(self.path("a")))
 
 
-class VisitsTest(ProgramTest):
-    """Out and back along the street; by then, the cars of its beginning have left."""
-
-    def test_what_left_between_two_visits(self):
-        # Slow around the turn, as vehicles are.
-        steps = [0.8] * 40 + [0.8 - 0.1 * i for i in range(1, 16)] + [-0.8] * 40
-        positions = [0.0]
-        for step in steps:
-            positions.append(positions[-1] + step)
-        turn = 48
-        Sequence(self.path("data"), positions=positions, period_s=1, range_m=12,
-                 sees=lambda point, index: point[3] != CAR or index < turn or point[0] > 15)
-        self.succeed("run", f"--dataset={self.path('data')}", f"--output={self.path('out')}",
-                     "--quiet")
-        source, output = self.path("out", "map.pbstream"), self.path("filtered.pbstream")
-        self.succeed("filter", f"--map={source}", f"--output={output}", "--remove_transient")
-        # What is left of the cars: those farther on, of which the way back saw enough.
-        hits = {}
-        for box in ("-100,-100,12,100", "18,-100,100,100"):
-            for path in (source, output):
-                self.succeed("filter", f"--map={path}", f"--output={self.path('part.pbstream')}",
-                             f"--box={box}", "--outside", "--quiet")
-                info = json.loads(self.succeed("info", f"--map={self.path('part.pbstream')}",
-                                               "--json"))
-                hits[box, path] = info["labels"].get("car", {"hits": 0})["hits"]
-        self.assertGreater(hits["-100,-100,12,100", source], 1000)
-        self.assertLess(hits["-100,-100,12,100", output],
-                        0.1 * hits["-100,-100,12,100", source])
-        self.assertGreater(hits["18,-100,100,100", output],
-                           0.99 * hits["18,-100,100,100", source])
-
-
 class StockMapTest(ProgramTest):
 
     def test_maps_of_cartographer_can_be_cut(self):

@@ -60,7 +60,7 @@ class MapTest(ProgramTest):
         for name in ("map.bmp", "map"):
             self.fail_with(1, [name, ".png"], "render", f"--map={self.map}",
                            f"--output={self.path(name)}")
-        self.fail_with(1, ["--hide", "trukc", "truck"], "render", f"--map={self.map}",
+        self.fail_with(1, ["hide", "trukc", "truck"], "render", f"--map={self.map}",
                        f"--output={self.path('map.png')}", "--hide=trukc")
         self.fail_with(1, ["map.png"], "render", f"--map={self.map}",
                        f"--output={self.path('nowhere', 'map.png')}")

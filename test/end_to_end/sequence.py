@@ -47,31 +47,26 @@ def _street(length_m):
 
 
 class Sequence:
-    """A drive of `num_scans` scans along the street, written to `directory`.
+    """A drive of `num_scans` scans along the street, written to `directory`."""
 
-    `positions` along the street may be given instead, the time between scans, how far the lidar
-    sees, and whether it sees a point (x, y, z, label) in a scan, by the scan's number.
-    """
-
-    def __init__(self, directory, num_scans=6, name="00", positions=None, period_s=0.1,
-                 range_m=25, sees=lambda point, index: True):
+    def __init__(self, directory, num_scans=6, name="00"):
         self.directory = directory
         self.path = os.path.join(directory, "sequences", name)
-        self.positions = positions or [STEP_M * i for i in range(num_scans)]
-        self.num_scans = len(self.positions)
+        self.num_scans = num_scans
         for folder in ("velodyne", "labels"):
             os.makedirs(os.path.join(self.path, folder))
-        self._write_scans(range_m, sees)
+        self._write_scans()
         self.write("calib.txt", CALIBRATION)
-        self.write("times.txt", "".join(f"{period_s * i:.6e}\n" for i in range(self.num_scans)))
+        self.write("times.txt", "".join(f"{0.1 * i:.6e}\n" for i in range(num_scans)))
         # Driving along the lidar's x is driving along the camera's z.
-        self.write("poses.txt", "".join(f"1 0 0 0 0 1 0 0 0 0 1 {here}\n"
-                                        for here in self.positions))
+        self.write("poses.txt", "".join(f"1 0 0 0 0 1 0 0 0 0 1 {STEP_M * i}\n"
+                                        for i in range(num_scans)))
 
-    def _write_scans(self, range_m, sees):
-        street = _street(max(self.positions) + STEP_M)
-        for index, here in enumerate(self.positions):
-            seen = [p for p in street if abs(p[0] - here) < range_m and sees(p, index)]
+    def _write_scans(self):
+        street = _street(STEP_M * self.num_scans)
+        for index in range(self.num_scans):
+            here = STEP_M * index
+            seen = [p for p in street if abs(p[0] - here) < 25]
             seen += [(here + 8 + 0.1 * i, 1.0, 0.5, MOVING_CAR) for i in range(10)]
             self.write(f"velodyne/{index:06d}.bin",
                        b"".join(struct.pack("<4f", x - here, y, z - LIDAR_HEIGHT_M, 0.3)
