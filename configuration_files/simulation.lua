@@ -58,6 +58,10 @@ return {
     deskew_residual_noise = 0.02,
     range_scale = 0.,
     vertical_angle_deg = 0.205,
+    elevation_wander_deg = 0.,
+    tilt_wander_deg = 0.,
+    encoder_wander_deg = 0.,
+    wander_s = 30.,
   },
   label_noise = {
     share = 0.,
