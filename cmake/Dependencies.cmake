@@ -26,6 +26,7 @@ macro(semantic_kiss_find_module name module)
 endmacro()
 
 semantic_kiss_find(absl)
+semantic_kiss_find(Ceres 2.1)
 semantic_kiss_find(Eigen3 3.4 NO_MODULE)
 semantic_kiss_find(gflags)
 semantic_kiss_find(nlohmann_json)

@@ -6,5 +6,7 @@
 include "defaults/run.lua"
 
 RUN.local_trajectory_builder.semantic_kiss.odometry.mode = "kiss_icp"
+-- Odometry alone.
+RUN.pose_graph.optimize_every_n_nodes = 0
 
 return RUN

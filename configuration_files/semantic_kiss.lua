@@ -5,5 +5,7 @@
 -- what all of this resolves to.
 
 include "defaults/run.lua"
+-- Odometry alone.
+RUN.pose_graph.optimize_every_n_nodes = 0
 
 return RUN

@@ -11,8 +11,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cmake --preset release -D SEMANTIC_KISS_BENCHMARKS=ON >/dev/null
-cmake --build --preset release --target odometry_benchmark scan_matching_benchmark \
-  simulation_benchmark
-for stage in odometry scan_matching simulation; do
-  SEMANTIC_KISS_SOURCE_DIR=$PWD build/bin/${stage}_benchmark "$@"
+cmake --build --preset release --target benchmarks
+for source in test/benchmark/*_benchmark.cc; do
+  SEMANTIC_KISS_SOURCE_DIR=$PWD build/bin/"$(basename "$source" .cc)" "$@"
 done

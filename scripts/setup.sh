@@ -16,6 +16,7 @@ packages=(
   libabsl-dev
   libbenchmark-dev
   libcairo2-dev
+  libceres-dev
   libdeflate-dev
   libeigen3-dev
   libgflags-dev

@@ -3,8 +3,11 @@
 
 #include "cartographer/io/pose_graph_proto.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,6 +38,38 @@ std::map<int, mapping::proto::Trajectory> Trajectories(const map::Map& map) {
   return trajectories;
 }
 
+using Information = Eigen::Matrix<double, 6, 6>;
+constexpr int kInformationEntries = 21;
+
+void InformationToProto(const Information& information, ProtoConstraint* proto) {
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      proto->add_information(information(row, column));
+    }
+  }
+}
+
+// Absent where the proto has none.
+absl::StatusOr<std::optional<Information>> InformationFromProto(const ProtoConstraint& proto) {
+  if (proto.information_size() == 0) return std::nullopt;
+  if (proto.information_size() != kInformationEntries) {
+    return absl::DataLossError(absl::StrCat("its information has ", proto.information_size(),
+                                            " entries in place of ", kInformationEntries));
+  }
+  Information information;
+  const double* entry = proto.information().data();
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column, ++entry) {
+      information(row, column) = information(column, row) = *entry;
+    }
+  }
+  // Comparisons with NaN are false.
+  if (!information.allFinite() || !(information.ldlt().vectorD().minCoeff() > 0.)) {
+    return absl::DataLossError("its information is not a positive definite matrix");
+  }
+  return information;
+}
+
 ProtoConstraint ConstraintToProto(const map::Constraint& constraint) {
   ProtoConstraint proto;
   *proto.mutable_submap_id() = ToProto(constraint.submap_id);
@@ -42,6 +77,7 @@ ProtoConstraint ConstraintToProto(const map::Constraint& constraint) {
   *proto.mutable_relative_pose() = ToProto(constraint.submap_from_node);
   proto.set_translation_weight(constraint.translation_weight);
   proto.set_rotation_weight(constraint.rotation_weight);
+  if (constraint.information.has_value()) InformationToProto(*constraint.information, &proto);
   proto.set_tag(constraint.kind == map::Constraint::Kind::kIntraSubmap
                     ? ProtoConstraint::INTRA_SUBMAP
                     : ProtoConstraint::INTER_SUBMAP);
@@ -116,6 +152,7 @@ absl::StatusOr<map::Constraint> ConstraintFromProto(const ProtoConstraint& proto
     if (std::isfinite(weight) && weight >= 0.) continue;
     return absl::DataLossError(absl::StrCat("the weight ", weight, " is negative or not finite"));
   }
+  ASSIGN_OR_RETURN(constraint.information, InformationFromProto(proto));
   if (proto.tag() != ProtoConstraint::INTRA_SUBMAP &&
       proto.tag() != ProtoConstraint::INTER_SUBMAP) {
     return absl::DataLossError(absl::StrCat("unknown kind ", static_cast<int>(proto.tag())));

@@ -56,6 +56,17 @@ class MatchingScan {
   // total_weight().
   ScanCells CellsAt(const PlanarPose& grid_from_node, double resolution_m) const;
 
+  // Calls visitor(layer, position in the node's frame [m], weight in steps of 1/64) for every
+  // point, always in the same order.
+  template <typename Visitor>
+  void ForEachPoint(const Visitor& visitor) const {
+    for (const Layer& layer : layers_) {
+      for (size_t i = layer.begin; i < layer.end; ++i) {
+        visitor(layer.layer, Eigen::Vector2d(x_[i], y_[i]), weights_[i]);
+      }
+    }
+  }
+
  private:
   struct Layer {
     int layer;

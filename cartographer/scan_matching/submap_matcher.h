@@ -46,6 +46,8 @@ class SubmapMatcher {
   double ScoreAt(const MatchingScan& scan, const PlanarPose& submap_from_node) const;
 
   const ScorePyramid& pyramid() const { return pyramid_; }
+  // The side of the grid's cells.
+  double resolution_m() const { return resolution_m_; }
   size_t num_bytes() const { return sizeof(*this) + pyramid_.num_bytes(); }
 
  private:

@@ -16,43 +16,44 @@ constexpr int kTrajectoryId = 0;
 }  // namespace
 
 MapBuilder::MapBuilder(std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder,
+                       std::unique_ptr<pose_graph::PoseGraph> pose_graph,
                        const sensor::LabelSet& labels)
-    : local_trajectory_builder_(std::move(local_trajectory_builder)) {
+    : local_trajectory_builder_(std::move(local_trajectory_builder)),
+      pose_graph_(std::move(pose_graph)),
+      labels_(labels) {
   CHECK(local_trajectory_builder_ != nullptr);
-  map_.labels = labels;
+  CHECK(pose_graph_ != nullptr);
 }
 
 LocalResult MapBuilder::AddScan(const sensor::LabeledScan& scan) {
   CHECK(scan_poses_.empty() || scan.time > scan_poses_.back().time);
   LocalResult result = local_trajectory_builder_->AddScan(scan);
-  if (result.insertion.has_value()) AddNode(result);
+  if (result.insertion.has_value()) AddNode(&result);
   CHECK_GT(num_nodes_, 0);
   const submap::NodeId node_id{kTrajectoryId, num_nodes_ - 1};
-  scan_poses_.push_back(
-      {scan.time, result.local_from_sensor, node_id,
-       map_.nodes.at(node_id).local_from_node.inverse() * result.local_from_sensor});
+  const submap::PlacedNode& node = pose_graph_->graph().nodes.at(node_id);
+  scan_poses_.push_back({scan.time, result.local_from_sensor, node_id,
+                         node.local_from_node.inverse() * result.local_from_sensor});
   return result;
 }
 
-void MapBuilder::AddNode(const LocalResult& result) {
+void MapBuilder::AddNode(LocalResult* result) {
   const submap::NodeId node_id{kTrajectoryId, num_nodes_++};
-  map_.nodes.emplace(node_id, map::MapNode{result.time, result.local_from_sensor,
-                                           result.local_from_sensor, result.insertion->cloud});
-  for (const auto& [index, submap] : result.insertion->submaps) {
-    const submap::SubmapId submap_id{kTrajectoryId, index};
-    map_.submaps.emplace(submap_id, map::MapSubmap{submap->local_from_submap, submap});
-    map::Constraint constraint;
-    constraint.submap_id = submap_id;
-    constraint.node_id = node_id;
-    constraint.submap_from_node = submap->local_from_submap.inverse() * result.local_from_sensor;
-    constraint.kind = map::Constraint::Kind::kIntraSubmap;
-    map_.constraints.push_back(constraint);
-  }
+  pose_graph_->AddNode(node_id,
+                       {result->time, {}, result->local_from_sensor, result->insertion->cloud},
+                       result->insertion->submaps, &result->stage_times);
 }
 
-map::Map MapBuilder::Finish() {
+map::Map MapBuilder::Finish(std::vector<common::StageTime>* stage_times) {
   local_trajectory_builder_->Finish();
-  return std::move(map_);
+  pose_graph_->Finish(stage_times);
+  pose_graph::Graph graph = pose_graph_->Release();
+  map::Map map;
+  map.submaps = std::move(graph.submaps);
+  map.nodes = std::move(graph.nodes);
+  map.constraints = std::move(graph.constraints);
+  map.labels = labels_;
+  return map;
 }
 
 std::vector<transform::Rigid3d> PlaceScans(const map::Map& map,

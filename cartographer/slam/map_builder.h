@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "cartographer/map/map.h"
+#include "cartographer/pose_graph/closure.h"
+#include "cartographer/pose_graph/pose_graph.h"
 #include "cartographer/sensor/label_set.h"
 #include "cartographer/sensor/labeled_point_cloud.h"
 #include "cartographer/slam/local_trajectory_builder.h"
@@ -23,28 +25,35 @@ struct ScanPose {
   transform::Rigid3d node_from_sensor;  // identity for the node itself
 };
 
-// Carries a drive from scans to a Map: feeds the local trajectory builder and files its nodes,
-// submaps and constraints. The map frame is the local frame.
+// Carries a drive from scans to a Map: feeds the local trajectory builder, and with its nodes and
+// submaps the pose graph. Without loop closures the map frame is the local frame.
 class MapBuilder {
  public:
+  // Neither may be null (CHECKed).
   MapBuilder(std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder,
-             const sensor::LabelSet& labels);
+             std::unique_ptr<pose_graph::PoseGraph> pose_graph, const sensor::LabelSet& labels);
 
   // Scans must come with increasing time (CHECKed). The first scan must become a node (CHECKed).
   LocalResult AddScan(const sensor::LabeledScan& scan);
 
   // Ends the drive and hands out the map, whose configuration and history are left to the caller.
-  // No other call may follow but scan_poses().
-  map::Map Finish();
+  // What the last loop closures took is appended to `stage_times`. No other call may follow but
+  // those of the const members.
+  map::Map Finish(std::vector<common::StageTime>* stage_times);
 
   // One entry for each scan so far.
   const std::vector<ScanPose>& scan_poses() const { return scan_poses_; }
 
+  // What the pose graph found so far.
+  const std::vector<pose_graph::Closure>& closures() const { return pose_graph_->closures(); }
+  const pose_graph::VerdictCounts& closure_verdicts() const { return pose_graph_->verdicts(); }
+
  private:
-  void AddNode(const LocalResult& result);
+  void AddNode(LocalResult* result);
 
   const std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder_;
-  map::Map map_;
+  const std::unique_ptr<pose_graph::PoseGraph> pose_graph_;
+  const sensor::LabelSet labels_;
   int num_nodes_ = 0;
   std::vector<ScanPose> scan_poses_;
 };

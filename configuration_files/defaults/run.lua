@@ -5,6 +5,7 @@
 
 include "defaults/dataset.lua"
 include "defaults/map_image.lua"
+include "defaults/pose_graph.lua"
 include "defaults/semantic_kiss_builder.lua"
 
 RUN = {
@@ -15,4 +16,5 @@ RUN = {
     semantic_kiss = SEMANTIC_KISS_BUILDER,
   },
   map_image = MAP_IMAGE,
+  pose_graph = POSE_GRAPH,
 }

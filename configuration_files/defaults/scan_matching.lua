@@ -35,4 +35,10 @@ SCAN_MATCHING = {
     max_range_m = 60.0,
   },
   cache_mib = 256.0,
+  refinement = {
+    max_iterations = 20,
+    function_tolerance = 1e-4,
+    max_translation_m = 0.6,
+    max_rotation_deg = 2.0,
+  },
 }

@@ -10,6 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
+#include "cartographer/pose_graph/pose_graph.h"
 #include "cartographer/slam/local_trajectory_builder_registry.h"
 #include "cartographer/slam/map_builder.h"
 #include "gflags/gflags.h"
@@ -53,7 +54,10 @@ absl::StatusOr<std::unique_ptr<MapBuilder>> MakeMapBuilder(const Configuration& 
   RegisterLocalTrajectoryBuilder(&registry);
   ASSIGN_OR_RETURN(auto builder, registry.Create(configuration.options.local_trajectory_builder(),
                                                  configuration.labels));
-  return std::make_unique<MapBuilder>(std::move(builder), configuration.labels);
+  ASSIGN_OR_RETURN(auto pose_graph, cartographer::pose_graph::PoseGraph::Create(
+                                        configuration.options.pose_graph(), configuration.labels));
+  return std::make_unique<MapBuilder>(std::move(builder), std::move(pose_graph),
+                                      configuration.labels);
 }
 
 ProgressReporter MakeProgressReporter(int num_scans) {

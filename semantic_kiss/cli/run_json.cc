@@ -53,7 +53,8 @@ Json RunJson(const RunResult& result) {
   json["map"] = {{"nodes", result.map.nodes.size()},
                  {"submaps", result.map.submaps.size()},
                  {"constraints", result.map.constraints.size()}};
-  json["loop_closures"] = Json::array();
+  json["loop_closures"] = ClosuresJson(result.closures);
+  json["closure_search"] = ClosureSearchJson(result.closures);
   json["metrics"] = evaluation::ToJson(result.evaluation ? evaluation::MetricsOf(*result.evaluation)
                                                          : evaluation::Metrics());
   json["last_pose"] = result.evaluation ? LastPose(result.evaluation->final_error) : Json();

@@ -54,6 +54,9 @@ Table AboutTheRun(const RunResult& result) {
       {"map", absl::StrFormat("%d nodes, %d submaps, %d constraints", result.map.nodes.size(),
                               result.map.submaps.size(), result.map.constraints.size())},
   };
+  if (!result.closures.verdicts.empty()) {
+    table.rows.push_back({"loop closures", ClosuresLine(result.closures)});
+  }
   if (!result.unknown_label_ids.empty()) {
     table.rows.push_back({"unknown labels", UnknownLabels(result.unknown_label_ids)});
   }
@@ -135,6 +138,7 @@ std::string RunSummary(const RunResult& result, const std::string& directory,
   add("odometry", Outcomes(result.drive));
   add("map",
       absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(), result.map.submaps.size()));
+  if (!result.closures.verdicts.empty()) add("loops", ClosuresLine(result.closures));
   if (result.evaluation.has_value()) add("accuracy", AccuracyLine(*result.evaluation));
   if (!result.unknown_label_ids.empty()) add("unlabeled", UnknownLabels(result.unknown_label_ids));
   for (const std::string& note : result.notes) add("note", note);

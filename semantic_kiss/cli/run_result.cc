@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
+#include "cartographer/common/stopwatch.h"
 #include "cartographer/io/trajectory_files.h"
 #include "glog/logging.h"
 #include "semantic_kiss/cli/version.h"
@@ -33,6 +34,15 @@ absl::StatusOr<evaluation::Evaluation> EvaluateRun(const dataset::ScanSource& sc
                               camera_from_sensor ? VehicleFrame::kCamera : VehicleFrame::kLidar);
 }
 
+// The last loop closures are part of the drive's time.
+void FinishMap(cartographer::slam::MapBuilder* map_builder, RunResult* result) {
+  cartographer::common::Stopwatch stopwatch;
+  std::vector<cartographer::common::StageTime> stage_times;
+  result->map = map_builder->Finish(&stage_times);
+  for (const auto& time : stage_times) result->drive.stage_times.Add(time.stage, time.seconds);
+  result->drive.elapsed_s += stopwatch.Lap();
+}
+
 }  // namespace
 
 absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveRecord drive,
@@ -45,7 +55,7 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
   result.notes = scans.notes();
   result.unknown_label_ids = scans.unknown_label_ids();
 
-  result.map = map_builder->Finish();
+  FinishMap(map_builder, &result);
   result.map.configuration_lua = configuration.lua;
   result.map.history.push_back(absl::StrCat("semantic_kiss ", Version()));
 
@@ -57,6 +67,9 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
   result.map_from_lidar = cartographer::slam::PlaceScans(result.map, map_builder->scan_poses());
   result.odometry = AsInFiles(local_from_lidar, scans.camera_from_sensor());
   result.trajectory = AsInFiles(result.map_from_lidar, scans.camera_from_sensor());
+  result.closures =
+      GatherClosures(*map_builder, result.map,
+                     scans.ground_truth().has_value() ? &*scans.ground_truth() : nullptr);
   if (scans.ground_truth().has_value()) {
     ASSIGN_OR_RETURN(result.evaluation, EvaluateRun(scans, result.trajectory));
   }

@@ -13,6 +13,7 @@
 #include "cartographer/slam/map_builder.h"
 #include "semantic_kiss/cli/configuration.h"
 #include "semantic_kiss/cli/drive.h"
+#include "semantic_kiss/cli/run_closures.h"
 #include "semantic_kiss/dataset/scan_source.h"
 #include "semantic_kiss/evaluation/evaluation.h"
 
@@ -32,6 +33,7 @@ struct RunResult {
   // Poses of the lidar in the map.
   std::vector<cartographer::transform::Rigid3d> map_from_lidar;
   cartographer::map::Map map;
+  RunClosures closures;
   std::optional<evaluation::Evaluation> evaluation;  // where there is ground truth
 };
 

@@ -10,77 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "test/cartographer/scan_matching/small_scenes.h"
+#include "test/cartographer/scan_matching/crossing_scene.h"
 
 namespace cartographer::scan_matching {
 namespace {
 
-constexpr double kResolution_m = 0.2;
-
-struct WorldPoint {
-  Eigen::Vector2d position;
-  int label;
-};
-
-// A crossing with houses of different lengths, hedges, poles and parked cars, 60 m across.
-std::vector<WorldPoint> Crossing(std::mt19937* random) {
-  std::vector<WorldPoint> points;
-  const auto line = [&](double x0, double y0, double x1, double y1, int label, int hits) {
-    const Eigen::Vector2d from(x0, y0), to(x1, y1);
-    const int count = static_cast<int>((to - from).norm() / 0.05);
-    std::normal_distribution<double> noise(0., 0.02);
-    for (int i = 0; i < count * hits; ++i) {
-      const double along = static_cast<double>(i % count) / count;
-      points.push_back(
-          {from + along * (to - from) + Eigen::Vector2d(noise(*random), noise(*random)), label});
-    }
-  };
-  line(-30., 8., -9., 8., 4, 3);
-  line(-9., 8., -9., 26., 4, 3);
-  line(7., 9., 22., 9., 4, 3);
-  line(7., 9., 7., 17., 4, 3);
-  line(-28., -8., -12., -8., 5, 3);
-  line(9., -10., 30., -7., 5, 3);
-  line(12., -24., 12., -14., 4, 3);
-  for (const double x : {-25., -16., -7., 5., 19., 27.}) line(x, 6.5, x + 0.1, 6.5, 6, 10);
-  for (const double x : {-20., -11., 13.}) {
-    line(x, -5., x + 4., -5., 1, 2);
-    line(x, -5., x, -3.3, 1, 2);
-  }
-  std::uniform_real_distribution<double> anywhere(-30., 30.);
-  for (int i = 0; i < 4000; ++i) {
-    const double y = anywhere(*random);
-    points.push_back({{anywhere(*random), y}, std::abs(y) < 5. ? 2 : 3});
-  }
-  return points;
-}
-
-submap::SemanticGrid GridOf(const std::vector<WorldPoint>& points) {
-  submap::SemanticGrid grid(kResolution_m);
-  for (const WorldPoint& point : points) {
-    grid.AddHits(LabelAt(point.label), grid.CellOf(point.position.cast<float>()));
-  }
-  return grid;
-}
-
-// What is seen from a pose: every 9th point within 25 m.
-sensor::LabeledPointCloud ScanFrom(const std::vector<WorldPoint>& points, const PlanarPose& pose) {
-  sensor::LabeledPointCloud cloud;
-  const transform::Rigid3d node_from_world = InSpace(pose).inverse();
-  for (size_t i = 0; i < points.size(); i += 9) {
-    const Eigen::Vector2d& position = points[i].position;
-    const Eigen::Vector3d seen = node_from_world * Eigen::Vector3d(position.x(), position.y(), 0.);
-    if (seen.norm() < 25.) AddPoint(seen.x(), seen.y(), points[i].label, &cloud);
-  }
-  return cloud;
-}
-
 void ExpectWithinACell(const Match& match, const PlanarPose& truth, double radius_m) {
   const Eigen::Vector2d error = match.submap_from_node.translation - truth.translation;
-  EXPECT_LE(std::abs(error.x()), kResolution_m);
-  EXPECT_LE(std::abs(error.y()), kResolution_m);
+  EXPECT_LE(std::abs(error.x()), kCrossingResolution_m);
+  EXPECT_LE(std::abs(error.y()), kCrossingResolution_m);
   const double turn = std::remainder(match.submap_from_node.yaw_rad - truth.yaw_rad, 2. * M_PI);
-  EXPECT_LE(std::abs(turn), kResolution_m / radius_m * 1.01);
+  EXPECT_LE(std::abs(turn), kCrossingResolution_m / radius_m * 1.01);
 }
 
 class SubmapMatcherTest : public ::testing::TestWithParam<const char*> {
@@ -99,13 +39,8 @@ class SubmapMatcherTest : public ::testing::TestWithParam<const char*> {
   const SubmapMatcher matcher_;
 };
 
-const PlanarPose kPoses[] = {{{0.3, -0.7}, 0.2},         {{-11.13, 1.37}, 0.},
-                             {{8.21, -2.5}, M_PI},       {{-4.4, 2.2}, -M_PI + 1e-3},
-                             {{3.3, 0.1}, M_PI - 1e-3},  {{-8., -1.}, M_PI / 2.},
-                             {{5.55, 5.55}, -M_PI / 2.}, {{10., 0.}, 2.5}};
-
 TEST_P(SubmapMatcherTest, FindsTheNodeInAWindow) {
-  for (const PlanarPose& truth : kPoses) {
+  for (const PlanarPose& truth : kPosesOnCrossing) {
     const MatchingScan scan(ScanFrom(seen_points_, truth), model_);
     PlanarPose guess = truth;
     guess.translation += Eigen::Vector2d(-2.57, 3.11);
@@ -118,7 +53,7 @@ TEST_P(SubmapMatcherTest, FindsTheNodeInAWindow) {
 }
 
 TEST_P(SubmapMatcherTest, FindsTheNodeAnywhereInTheSubmapAtAnyHeading) {
-  for (const PlanarPose& truth : kPoses) {
+  for (const PlanarPose& truth : kPosesOnCrossing) {
     const MatchingScan scan(ScanFrom(seen_points_, truth), model_);
     const auto match = matcher_.MatchInWholeSubmap(scan, 0.3);
     ASSERT_TRUE(match.has_value());
@@ -138,7 +73,7 @@ TEST_P(SubmapMatcherTest, FindsTheNodeThatDrivesInTheOppositeDirection) {
 }
 
 TEST_P(SubmapMatcherTest, TheScoreOfAMatchIsTheScoreAtItsPose) {
-  for (const PlanarPose& truth : kPoses) {
+  for (const PlanarPose& truth : kPosesOnCrossing) {
     const MatchingScan scan(ScanFrom(seen_points_, truth), model_);
     const auto match = matcher_.MatchInWindow(scan, truth, {2., 0.1}, 0.);
     ASSERT_TRUE(match.has_value());
@@ -149,18 +84,20 @@ TEST_P(SubmapMatcherTest, TheScoreOfAMatchIsTheScoreAtItsPose) {
 }
 
 TEST_P(SubmapMatcherTest, MinScoreIsInclusive) {
-  const MatchingScan scan(ScanFrom(seen_points_, kPoses[0]), model_);
-  const auto match = matcher_.MatchInWindow(scan, kPoses[0], {1., 0.1}, 0.);
+  const MatchingScan scan(ScanFrom(seen_points_, kPosesOnCrossing[0]), model_);
+  const auto match = matcher_.MatchInWindow(scan, kPosesOnCrossing[0], {1., 0.1}, 0.);
   ASSERT_TRUE(match.has_value());
-  const auto again = matcher_.MatchInWindow(scan, kPoses[0], {1., 0.1}, match->score - 1e-12);
+  const auto again =
+      matcher_.MatchInWindow(scan, kPosesOnCrossing[0], {1., 0.1}, match->score - 1e-12);
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->score, match->score);
-  EXPECT_FALSE(matcher_.MatchInWindow(scan, kPoses[0], {1., 0.1}, match->score + 1e-6).has_value());
+  EXPECT_FALSE(matcher_.MatchInWindow(scan, kPosesOnCrossing[0], {1., 0.1}, match->score + 1e-6)
+                   .has_value());
 }
 
 // What stands in no other place is what places the scan: labels tell apart what shapes don't.
 TEST(SubmapMatcherLabelsTest, LabelsDecideBetweenLookAlikes) {
-  submap::SemanticGrid grid(kResolution_m);
+  submap::SemanticGrid grid(kCrossingResolution_m);
   sensor::LabeledPointCloud cloud;
   for (int i = 0; i < 40; ++i) {
     grid.AddHits(LabelAt(4), {i, 0}, 9);    // a wall
@@ -178,7 +115,7 @@ TEST(SubmapMatcherLabelsTest, LabelsDecideBetweenLookAlikes) {
 }
 
 TEST(SubmapMatcherLabelsTest, StrayHitsDoNotMakeThePyramidGrow) {
-  submap::SemanticGrid grid(kResolution_m), with_stray(kResolution_m);
+  submap::SemanticGrid grid(kCrossingResolution_m), with_stray(kCrossingResolution_m);
   for (submap::SemanticGrid* const each : {&grid, &with_stray})
     each->AddHits(LabelAt(4), {5, 5}, 9);
   with_stray.AddHits(LabelAt(4), {2000000, -70000000}, 9);

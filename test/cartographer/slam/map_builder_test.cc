@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "glog/logging.h"
+#include "test/testing/shipped_options.h"
+
 namespace cartographer::slam {
 namespace {
 
@@ -48,10 +51,25 @@ sensor::LabeledScan Scan(int index) {
   return scan;
 }
 
+// Without loop closure.
+std::unique_ptr<pose_graph::PoseGraph> IdlePoseGraph() {
+  auto pose_graph = pose_graph::PoseGraph::Create(
+      semantic_kiss_testing::ShippedOptions<pose_graph::proto::PoseGraphOptions>(
+          "pose_graph", "POSE_GRAPH", "POSE_GRAPH.optimize_every_n_nodes = 0"),
+      sensor::LabelSet());
+  CHECK(pose_graph.ok()) << pose_graph.status();
+  return *std::move(pose_graph);
+}
+
+MapBuilder ScriptedMapBuilder() {
+  return MapBuilder(std::make_unique<ScriptedBuilder>(), IdlePoseGraph(), sensor::LabelSet());
+}
+
 TEST(MapBuilderTest, FilesNodesSubmapsAndConstraints) {
-  MapBuilder builder(std::make_unique<ScriptedBuilder>(), sensor::LabelSet());
+  MapBuilder builder = ScriptedMapBuilder();
   for (int i = 0; i < 7; ++i) EXPECT_EQ(builder.AddScan(Scan(i)).outcome, "scripted");
-  const map::Map map = builder.Finish();
+  std::vector<common::StageTime> stage_times;
+  const map::Map map = builder.Finish(&stage_times);
   ASSERT_EQ(map.nodes.size(), 4);
   ASSERT_EQ(map.submaps.size(), 2);
   ASSERT_EQ(map.constraints.size(), 4 + 2);
@@ -67,9 +85,10 @@ TEST(MapBuilderTest, FilesNodesSubmapsAndConstraints) {
 }
 
 TEST(MapBuilderTest, ScansBetweenNodesFollowTheirNode) {
-  MapBuilder builder(std::make_unique<ScriptedBuilder>(), sensor::LabelSet());
+  MapBuilder builder = ScriptedMapBuilder();
   for (int i = 0; i < 4; ++i) builder.AddScan(Scan(i));
-  map::Map map = builder.Finish();
+  std::vector<common::StageTime> stage_times;
+  map::Map map = builder.Finish(&stage_times);
   // Whatever moves a node moves the scans after it.
   map.nodes.at(NodeId{0, 1}).map_from_node = Rigid3d::Translation({2., 10., 0.});
   const std::vector<Rigid3d> poses = PlaceScans(map, builder.scan_poses());
@@ -79,7 +98,7 @@ TEST(MapBuilderTest, ScansBetweenNodesFollowTheirNode) {
 }
 
 TEST(MapBuilderDeathTest, TimeMustNotStandStill) {
-  MapBuilder builder(std::make_unique<ScriptedBuilder>(), sensor::LabelSet());
+  MapBuilder builder = ScriptedMapBuilder();
   builder.AddScan(Scan(0));
   EXPECT_DEATH(builder.AddScan(Scan(0)), "time");
 }

@@ -1,0 +1,170 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/pose_graph/closure_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "cartographer/common/parallel.h"
+#include "cartographer/pose_graph/verify_closure.h"
+#include "cartographer/scan_matching/planar_pose.h"
+#include "cartographer/scan_matching/submap_matcher.h"
+#include "cartographer/transform/rigid_transform.h"
+#include "glog/logging.h"
+
+namespace cartographer::pose_graph {
+namespace {
+
+using scan_matching::Match;
+using scan_matching::MatchingScan;
+using submap::NodeId;
+using submap::SubmapId;
+using transform::Rigid3d;
+
+// What candidates share (a node's scan, a submap's surfaces) is made once for as many as this, and
+// then dropped: neighbours come one after the other, and memory stays bounded.
+constexpr size_t kCandidatesAtOnce = 64;
+
+constexpr size_t kBytesPerMiB = size_t{1} << 20;
+
+// What turns the node's frame upright, by the odometry's idea of upright.
+Rigid3d LevelFromNode(const submap::PlacedNode& node) {
+  return transform::Level(node.local_from_node).inverse() * node.local_from_node;
+}
+
+sensor::LabeledPointCloud Levelled(const submap::PlacedNode& node) {
+  sensor::LabeledPointCloud cloud = *node.cloud;
+  const Rigid3d level_from_node = LevelFromNode(node);
+  for (Eigen::Vector3f& position : cloud.positions) {
+    position = (level_from_node * position.cast<double>().eval()).cast<float>();
+  }
+  return cloud;
+}
+
+// An entry for each of the keys, made in parallel.
+template <typename Key, typename Value, typename Make>
+std::map<Key, std::shared_ptr<const Value>> MakeForEach(
+    std::map<Key, std::shared_ptr<const Value>> entries, const Make& make) {
+  std::vector<std::pair<const Key, std::shared_ptr<const Value>>*> list;
+  for (auto& entry : entries) list.push_back(&entry);
+  common::ParallelChunks(list.size(), 1,
+                         [&](size_t i, size_t) { list[i]->second = make(list[i]->first); });
+  return entries;
+}
+
+void DescribeCorrection(const Graph& graph, Closure* closure) {
+  const submap::Constraint& constraint = closure->constraint;
+  const Rigid3d estimate = graph.submaps.at(constraint.submap_id).map_from_submap.inverse() *
+                           graph.nodes.at(constraint.node_id).map_from_node;
+  const Rigid3d correction = estimate.inverse() * constraint.submap_from_node;
+  closure->correction_m = correction.translation().norm();
+  closure->correction_deg = transform::RotationAngle(correction) * 180. / M_PI;
+}
+
+}  // namespace
+
+ClosureSearch::ClosureSearch(const proto::PoseGraphOptions& options,
+                             const scan_matching::ScoreModel& model, const sensor::LabelSet& labels)
+    : options_(options),
+      model_(model),
+      labels_(labels),
+      matchers_(model, static_cast<size_t>(options.scan_matching().cache_mib() * kBytesPerMiB)) {}
+
+std::vector<SearchedCandidate> ClosureSearch::Search(
+    const std::vector<ClosureCandidate>& candidates, const Graph& graph) {
+  std::vector<SearchedCandidate> results;
+  for (size_t begin = 0; begin < candidates.size(); begin += kCandidatesAtOnce) {
+    const size_t end = std::min(candidates.size(), begin + kCandidatesAtOnce);
+    SearchSome({candidates.begin() + begin, candidates.begin() + end}, graph, &results);
+  }
+  return results;
+}
+
+void ClosureSearch::SearchSome(const std::vector<ClosureCandidate>& candidates, const Graph& graph,
+                               std::vector<SearchedCandidate>* results) {
+  const Scans scans = MakeScans(candidates, graph);
+  const Targets targets = MakeTargets(candidates, graph);
+  const size_t first = results->size();
+  results->resize(first + candidates.size());
+  common::ParallelChunks(candidates.size(), 1, [&](size_t i, size_t) {
+    (*results)[first + i] = SearchOne(candidates[i], *scans.at(candidates[i].node_id),
+                                      *targets.at(candidates[i].submap_id), graph);
+  });
+}
+
+ClosureSearch::Scans ClosureSearch::MakeScans(const std::vector<ClosureCandidate>& candidates,
+                                              const Graph& graph) const {
+  Scans scans;
+  for (const ClosureCandidate& candidate : candidates) scans[candidate.node_id] = nullptr;
+  return MakeForEach<NodeId, MatchingScan>(std::move(scans), [&](const NodeId& node_id) {
+    return std::make_shared<const MatchingScan>(Levelled(graph.nodes.at(node_id)), model_);
+  });
+}
+
+ClosureSearch::Targets ClosureSearch::MakeTargets(const std::vector<ClosureCandidate>& candidates,
+                                                  const Graph& graph) const {
+  Targets targets;
+  for (const ClosureCandidate& candidate : candidates) targets[candidate.submap_id] = nullptr;
+  return MakeForEach<SubmapId, ClosureTarget>(
+      std::move(targets), [&](const SubmapId& id) { return MakeTarget(id, graph); });
+}
+
+std::shared_ptr<const ClosureTarget> ClosureSearch::MakeTarget(const SubmapId& submap_id,
+                                                               const Graph& graph) const {
+  const Rigid3d submap_from_map = graph.submaps.at(submap_id).map_from_submap.inverse();
+  std::vector<ClosureTarget::Part> parts;
+  const auto add = [&](int index) {
+    const auto neighbour = graph.submaps.find({submap_id.trajectory_id, index});
+    if (neighbour == graph.submaps.end() || !neighbour->second.submap->finished) return;
+    parts.push_back(
+        {&neighbour->second.submap->cloud, submap_from_map * neighbour->second.map_from_submap});
+  };
+  add(submap_id.submap_index);
+  for (int step = 1; step <= options_.joined_neighbours(); ++step) {
+    add(submap_id.submap_index - step);
+    add(submap_id.submap_index + step);
+  }
+  return std::make_shared<const ClosureTarget>(parts, labels_, options_.verification());
+}
+
+SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
+                                           const MatchingScan& scan, const ClosureTarget& target,
+                                           const Graph& graph) {
+  SearchedCandidate result;
+  Closure& closure = result.closure;
+  closure.by_place_recognition = candidate.by_place_recognition;
+  closure.constraint.kind = submap::Constraint::Kind::kInterSubmap;
+  closure.constraint.submap_id = candidate.submap_id;
+  closure.constraint.node_id = candidate.node_id;
+
+  const auto matcher =
+      matchers_.Get(candidate.submap_id, *graph.submaps.at(candidate.submap_id).submap);
+  const std::optional<Match> match = matcher->MatchInWindow(scan, candidate.submap_from_node_guess,
+                                                            candidate.window, options_.min_score());
+  if (!match.has_value()) {
+    result.verdict = "no_match";
+    return result;
+  }
+  closure.score = match->score;
+
+  const submap::PlacedNode& node = graph.nodes.at(candidate.node_id);
+  const ClosureReport report = VerifyClosure(
+      *node.cloud, scan_matching::InSpace(match->submap_from_node) * LevelFromNode(node), target,
+      options_.verification());
+  result.verdict = std::string(VerdictName(report.verdict));
+  closure.overlap = report.overlap;
+  closure.inlier_ratio = report.inlier_ratio;
+  closure.constraint.submap_from_node = report.submap_from_node;
+  closure.constraint.information = report.information;
+  DescribeCorrection(graph, &closure);
+  VLOG(1) << "node " << candidate.node_id.node_index << " in submap "
+          << candidate.submap_id.submap_index << ": " << result.verdict << ", score "
+          << closure.score << ", overlap " << closure.overlap << ", inliers "
+          << closure.inlier_ratio;
+  return result;
+}
+
+}  // namespace cartographer::pose_graph

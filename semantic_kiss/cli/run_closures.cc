@@ -1,0 +1,125 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "semantic_kiss/cli/run_closures.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+
+namespace semantic_kiss::cli {
+namespace {
+
+using cartographer::map::Constraint;
+using cartographer::map::Map;
+using cartographer::pose_graph::Closure;
+using cartographer::slam::ScanPose;
+using cartographer::submap::NodeId;
+using cartographer::submap::SubmapId;
+using cartographer::transform::Rigid3d;
+using evaluation::ClosureClaim;
+using Json = nlohmann::ordered_json;
+
+std::map<NodeId, int> ScanOfNode(const std::vector<ScanPose>& scan_poses) {
+  std::map<NodeId, int> scans;
+  // The first scan of a node's is the node itself; emplace() keeps it.
+  for (size_t i = 0; i < scan_poses.size(); ++i) {
+    scans.emplace(scan_poses[i].node_id, static_cast<int>(i));
+  }
+  return scans;
+}
+
+// For each submap the constraint with its first node.
+std::map<SubmapId, const Constraint*> AnchorsOf(const Map& map) {
+  std::map<SubmapId, const Constraint*> anchors;
+  for (const Constraint& constraint : map.constraints) {
+    if (constraint.kind == Constraint::Kind::kIntraSubmap) {
+      anchors.emplace(constraint.submap_id, &constraint);
+    }
+  }
+  return anchors;
+}
+
+std::vector<ClosureClaim> ClaimsOf(const std::vector<Closure>& closures, const Map& map,
+                                   const std::vector<ScanPose>& scan_poses) {
+  const std::map<NodeId, int> scan_of_node = ScanOfNode(scan_poses);
+  const std::map<SubmapId, const Constraint*> anchors = AnchorsOf(map);
+  std::vector<ClosureClaim> claims;
+  for (const Closure& closure : closures) {
+    const Constraint& anchor = *anchors.at(closure.constraint.submap_id);
+    claims.push_back({scan_of_node.at(anchor.node_id), scan_of_node.at(closure.constraint.node_id),
+                      anchor.submap_from_node.inverse() * closure.constraint.submap_from_node});
+  }
+  return claims;
+}
+
+}  // namespace
+
+int RunClosures::NumFalse() const {
+  return static_cast<int>(
+      std::count_if(errors.begin(), errors.end(), [](const auto& error) { return error.False(); }));
+}
+
+RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder, const Map& map,
+                           const std::vector<Rigid3d>* truth) {
+  RunClosures result;
+  result.closures = map_builder.closures();
+  result.verdicts = map_builder.closure_verdicts();
+  if (truth == nullptr) return result;
+  const std::vector<ScanPose>& scan_poses = map_builder.scan_poses();
+  const std::vector<Rigid3d> driven(truth->begin(), truth->begin() + scan_poses.size());
+  const std::vector<ClosureClaim> claims = ClaimsOf(result.closures, map, scan_poses);
+  result.errors = evaluation::ClosureErrors(claims, driven);
+  result.coverage = evaluation::ComputeRevisitCoverage(claims, driven, {});
+  return result;
+}
+
+Json ClosuresJson(const RunClosures& closures) {
+  Json list = Json::array();
+  for (size_t i = 0; i < closures.closures.size(); ++i) {
+    const Closure& closure = closures.closures[i];
+    const bool known = i < closures.errors.size();
+    list.push_back({{"node", closure.constraint.node_id.node_index},
+                    {"submap", closure.constraint.submap_id.submap_index},
+                    {"by", closure.by_place_recognition ? "place_recognition" : "nearby"},
+                    {"score", closure.score},
+                    {"overlap", closure.overlap},
+                    {"inlier_ratio", closure.inlier_ratio},
+                    {"correction_m", closure.correction_m},
+                    {"correction_deg", closure.correction_deg},
+                    {"true_error_m", known ? Json(closures.errors[i].distance_m) : Json()},
+                    {"true_error_deg", known ? Json(closures.errors[i].angle_deg) : Json()}});
+  }
+  return list;
+}
+
+Json ClosureSearchJson(const RunClosures& closures) {
+  Json json;
+  json["candidates"] = closures.verdicts;
+  json["false"] = closures.errors.empty() ? Json() : Json(closures.NumFalse());
+  const bool known = closures.coverage.has_value();
+  json["revisited_m"] = known ? Json(closures.coverage->revisited_m) : Json();
+  const auto share = known ? closures.coverage->ClosedShare() : std::nullopt;
+  json["closed_share"] = share.has_value() ? Json(*share) : Json();
+  return json;
+}
+
+std::string ClosuresLine(const RunClosures& closures) {
+  int candidates = 0;
+  for (const auto& [verdict, count] : closures.verdicts) candidates += count;
+  std::string line =
+      absl::StrCat(closures.closures.size(), " of ", candidates, " candidates accepted");
+  if (!closures.errors.empty()) absl::StrAppend(&line, ", ", closures.NumFalse(), " false");
+  const auto share =
+      closures.coverage.has_value() ? closures.coverage->ClosedShare() : std::nullopt;
+  if (share.has_value()) {
+    absl::StrAppendFormat(&line, "; %.0f %% of %.0f m revisited are closed", 100. * *share,
+                          closures.coverage->revisited_m);
+  }
+  return line;
+}
+
+}  // namespace semantic_kiss::cli

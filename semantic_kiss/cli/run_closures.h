@@ -1,0 +1,47 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef SEMANTIC_KISS_CLI_RUN_CLOSURES_H_
+#define SEMANTIC_KISS_CLI_RUN_CLOSURES_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cartographer/map/map.h"
+#include "cartographer/pose_graph/closure.h"
+#include "cartographer/slam/map_builder.h"
+#include "nlohmann/json.hpp"
+#include "semantic_kiss/evaluation/closure_errors.h"
+
+namespace semantic_kiss::cli {
+
+// The loop closures of a run, and how right they are where there is ground truth.
+struct RunClosures {
+  std::vector<cartographer::pose_graph::Closure> closures;
+  cartographer::pose_graph::VerdictCounts verdicts;
+  // With ground truth, one for each closure; else empty.
+  std::vector<evaluation::ClosureError> errors;
+  std::optional<evaluation::RevisitCoverage> coverage;
+
+  int NumFalse() const;
+};
+
+// `truth`: poses of the lidar, one for each scan or more; nullptr if there is none. `map` is what
+// the builder handed out.
+RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder,
+                           const cartographer::map::Map& map,
+                           const std::vector<cartographer::transform::Rigid3d>* truth);
+
+// The value of "loop_closures" in run.json, in the order in which they were accepted.
+nlohmann::ordered_json ClosuresJson(const RunClosures& closures);
+
+// The value of "closure_search": candidates by verdict, coverage.
+nlohmann::ordered_json ClosureSearchJson(const RunClosures& closures);
+
+// One line for people: "57 of 412 candidates accepted, none false; 93 % of 640 m revisited closed".
+std::string ClosuresLine(const RunClosures& closures);
+
+}  // namespace semantic_kiss::cli
+
+#endif  // SEMANTIC_KISS_CLI_RUN_CLOSURES_H_
