@@ -45,12 +45,16 @@ UnitAngle UnitAngle::TurnedBy(double small_rad) const {
   return {cosine * c - sine * s, sine * c + cosine * s};
 }
 
-Lidar::Harmonic Lidar::Harmonic::Of(double amplitude, double phase) {
+Harmonic Harmonic::Of(double amplitude, double phase) {
   return {amplitude * std::sin(phase), amplitude * std::cos(phase)};
 }
 
-Lidar::Lidar(const proto::LidarOptions& lidar, const proto::ErrorOptions& errors, uint64_t seed)
-    : options_(lidar), errors_(errors) {
+Lidar::Lidar(const proto::LidarOptions& lidar, const proto::ErrorOptions& errors,
+             double scan_rate_hz, uint64_t seed)
+    : options_(lidar),
+      errors_(errors),
+      wander_key_(HashKey({seed, static_cast<uint64_t>(Purpose::kWander)})),
+      scans_per_wander_(scan_rate_hz * errors.wander_s()) {
   Random random(seed, Purpose::kBeam);
   tilt_ = Harmonic::Of(kRadPerDeg * errors.axis_tilt_deg(), random.Uniform(0., 2. * M_PI));
   encoder_ =
@@ -87,22 +91,37 @@ double Lidar::NominalAzimuth(int column) const {
   return -M_PI + 2. * M_PI * (column + 0.5) / columns();
 }
 
-Bearing Lidar::Error(int index, const UnitAngle& azimuth) const {
+Condition Lidar::ConditionAt(int scan) const {
+  const double time = scan / scans_per_wander_;
+  const auto wander = [&](uint64_t n, double deviation_deg) {
+    return kRadPerDeg * deviation_deg * Roughness(wander_key_ + 10 * n, time, 0.);
+  };
+  Condition condition;
+  condition.elevation = wander(0, errors_.elevation_wander_deg());
+  condition.tilt = {tilt_.cosine + wander(1, errors_.tilt_wander_deg()),
+                    tilt_.sine + wander(2, errors_.tilt_wander_deg())};
+  condition.encoder = {encoder_.cosine + wander(3, errors_.encoder_wander_deg()),
+                       encoder_.sine + wander(4, errors_.encoder_wander_deg())};
+  return condition;
+}
+
+Bearing Lidar::Error(int index, const Condition& condition, const UnitAngle& azimuth) const {
   const Beam& beam = beams_[index];
   const UnitAngle doubled{azimuth.cosine * azimuth.cosine - azimuth.sine * azimuth.sine,
                           2. * azimuth.cosine * azimuth.sine};
-  return {beam.elevation_error + beam.once.At(azimuth) + beam.twice.At(doubled) + tilt_.At(azimuth),
-          beam.azimuth_error + encoder_.At(azimuth)};
+  return {beam.elevation_error + beam.once.At(azimuth) + beam.twice.At(doubled) +
+              condition.elevation + condition.tilt.At(azimuth),
+          beam.azimuth_error + condition.encoder.At(azimuth)};
 }
 
-void Lidar::Fire(int column, std::vector<Shot>* shots) const {
+void Lidar::Fire(int column, const Condition& condition, std::vector<Shot>* shots) const {
   const double azimuth = NominalAzimuth(column);
   const UnitAngle believed = UnitAngle::Of(azimuth);
   const double lowest = options_.hidden_by_car() ? kRadPerDeg * RoofAt_deg(azimuth) : -M_PI;
   shots->clear();
   for (int i = 0; i < beams(); ++i) {
     const Beam& beam = beams_[i];
-    const Bearing error = Error(i, believed);
+    const Bearing error = Error(i, condition, believed);
     shots->push_back(
         {Direction(beam.nominal, believed),
          Direction(beam.nominal.TurnedBy(error.elevation), believed.TurnedBy(error.azimuth)),

@@ -28,6 +28,24 @@ struct UnitAngle {
   UnitAngle TurnedBy(double small_rad) const;
 };
 
+// sine * sin(azimuth) + cosine * cos(azimuth): what varies once a turn.
+struct Harmonic {
+  double cosine = 0., sine = 0.;
+
+  // amplitude * sin(azimuth + phase)
+  static Harmonic Of(double amplitude, double phase);
+  double At(const UnitAngle& azimuth) const {
+    return cosine * azimuth.cosine + sine * azimuth.sine;
+  }
+};
+
+// What warming up and play change in a device, as it is during one scan [rad]; all beams share it.
+struct Condition {
+  double elevation = 0.;  // error of it
+  Harmonic tilt;          // error of the elevation by direction
+  Harmonic encoder;       // error of the azimuth
+};
+
 // One beam of a firing; directions are unit vectors in the sensor's frame.
 struct Shot {
   Eigen::Vector3d believed;  // by the data sheet and the encoder
@@ -46,7 +64,8 @@ struct Return {
 // says. Errors are drawn from the seed; two seeds are two devices of one make.
 class Lidar {
  public:
-  Lidar(const proto::LidarOptions& lidar, const proto::ErrorOptions& errors, uint64_t seed);
+  Lidar(const proto::LidarOptions& lidar, const proto::ErrorOptions& errors, double scan_rate_hz,
+        uint64_t seed);
 
   int beams() const { return static_cast<int>(beams_.size()); }
   int columns() const { return options_.columns(); }
@@ -55,22 +74,19 @@ class Lidar {
   // The sweep begins and ends behind the car; the beams turn to the left.
   double NominalAzimuth(int column) const;
   double NominalElevation(int beam) const { return beams_[beam].elevation; }
+  // How the device is at a scan: near to how it is at the next one, and far from how it is a
+  // minute later.
+  Condition ConditionAt(int scan) const;
   // By how much a beam points elsewhere than the device believes, which sees it at `azimuth`.
-  Bearing Error(int beam, const UnitAngle& azimuth) const;
+  Bearing Error(int beam, const Condition& condition, const UnitAngle& azimuth) const;
   // All beams at once; the vector gets as many elements.
-  void Fire(int column, std::vector<Shot>* shots) const;
+  void Fire(int column, const Condition& condition, std::vector<Shot>* shots) const;
 
   // Whether a return is strong enough to be noticed.
   bool Detects(const Return& echo, Random* random) const;
   double MeasureRange(int beam, const Return& echo, Random* random) const;
 
  private:
-  // sine * sin(azimuth) + cosine * cos(azimuth).
-  struct Harmonic {
-    double cosine = 0., sine = 0.;
-    static Harmonic Of(double amplitude, double phase);
-    double At(const UnitAngle& a) const { return cosine * a.cosine + sine * a.sine; }
-  };
   struct Beam {
     double elevation = 0.;  // nominal
     UnitAngle nominal;      // the same
@@ -82,7 +98,9 @@ class Lidar {
   const proto::LidarOptions options_;
   const proto::ErrorOptions errors_;
   std::vector<Beam> beams_;
-  Harmonic tilt_, encoder_;
+  Harmonic tilt_, encoder_;  // on average
+  const uint64_t wander_key_;
+  const double scans_per_wander_;
 };
 
 // The lidar that `options` drives with; the error lists the names there are.

@@ -45,6 +45,7 @@ enum class Purpose : uint64_t {
   kTraffic,
   kMotion,
   kLabel,
+  kWander,
 };
 
 // The sequence of random numbers that belongs to a key.

@@ -22,6 +22,7 @@ struct Scanner::SweepState {
   Rigid3d world_from_end;
   Twist motion;           // during the sweep: end = start * Exp(motion)
   double motion_removed;  // share of it that deskewing takes out
+  Condition condition;
   std::vector<MovingThing> things;
 };
 
@@ -58,6 +59,7 @@ Scanner::SweepState Scanner::BeginSweep(int scan) const {
   const double residual =
       errors.deskew_residual() + errors.deskew_residual_noise() * random.Normal();
   state.motion_removed = options_.raw() ? 0. : 1. - residual;
+  state.condition = lidar_.ConditionAt(scan);
   state.things = traffic_.At(scan - 0.5, lidar_.options().max_range_m(), world_.ground());
   return state;
 }
@@ -72,7 +74,7 @@ void Scanner::BeginColumn(const SweepState& sweep, int index, Column* column, Ra
   column->written_from_sensor = written_from_sensor.rotation().toRotationMatrix();
   column->written_offset = written_from_sensor.translation();
 
-  lidar_.Fire(index, &column->shots);
+  lidar_.Fire(index, sweep.condition, &column->shots);
   const Eigen::Matrix3d rotation = world_from_sensor.rotation().toRotationMatrix();
   column->directions.clear();
   for (const Shot& shot : column->shots) column->directions.push_back(rotation * shot.actual);

@@ -54,7 +54,7 @@ Simulation::Simulation(const proto::SimulationOptions& options, Route route,
     : options_(options), route_(std::move(route)) {
   const auto seed = static_cast<uint64_t>(options_.seed());
   const double mount_m = lidar.mount_height_m();
-  lidar_ = std::make_unique<Lidar>(lidar, options_.errors(), seed);
+  lidar_ = std::make_unique<Lidar>(lidar, options_.errors(), options_.scan_rate_hz(), seed);
   world_ = std::make_unique<World>(route_, options_.world(), mount_m, seed, options_.epoch());
   world_from_lidar_ = DriveOverHills(route_, world_->hills(), options_.route(), mount_m, seed);
   traffic_ =
