@@ -46,6 +46,7 @@ DEFINE_bool(outside, false, "Remove what is outside of --polygon or --box, not i
 DEFINE_string(polygon, "", "Corners of a polygon in the map: x1,y1,x2,y2,... in metres.");
 DEFINE_string(poses, "", "Drive the way of this file: camera poses in KITTI's format.");
 DEFINE_string(preview, "", "Draw the town from above with the route: a PNG.");
+DEFINE_int32(preview_scan, 0, "Draw --preview from the car's view instead, at this scan.");
 DEFINE_bool(quiet, false, "Print nothing but errors.");
 DEFINE_bool(raw, false, "Leave points as measured, not deskewed, and write their times.");
 DEFINE_string(remove, "", "Labels to remove, separated by commas: car,truck.");
@@ -103,6 +104,7 @@ const std::vector<FlagInfo>& Flags() {
       {"output", "PATH", G::kOutput, V::kFile},
       {"raw", "", G::kOutput, V::kNone},
       {"preview", "FILE", G::kOutput, V::kFile},
+      {"preview_scan", "N", G::kOutput, V::kNumber, "the town from above", 0.},
       {"resolution", "M", G::kOutput, V::kNumber, "as configured", 0.},
       {"json", "", G::kOutput, V::kNone},
       {"threads", "N", G::kExecution, V::kNumber, "all cores", 0.},

@@ -37,6 +37,7 @@ DECLARE_bool(outside);
 DECLARE_string(polygon);
 DECLARE_string(poses);
 DECLARE_string(preview);
+DECLARE_int32(preview_scan);
 DECLARE_bool(quiet);
 DECLARE_bool(raw);
 DECLARE_string(remove);

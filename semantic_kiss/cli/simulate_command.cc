@@ -18,6 +18,7 @@
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/cli/terminal.h"
 #include "semantic_kiss/simulation/preview.h"
+#include "semantic_kiss/simulation/scan_preview.h"
 #include "semantic_kiss/simulation/simulation.h"
 
 namespace semantic_kiss::cli {
@@ -59,7 +60,13 @@ absl::Status Preview(const Simulation& drive) {
   const std::string installed = InstalledConfigurationDirectory();
   ASSIGN_OR_RETURN(const auto labels, cartographer::sensor::LabelSet::Load(
                                           {installed + "/labels/semantic_kitti.lua", {installed}}));
-  return simulation::DrawPreview(drive, labels, FLAGS_preview);
+  if (!IsGiven("preview_scan")) return simulation::DrawPreview(drive, labels, FLAGS_preview);
+  if (FLAGS_preview_scan < 0 || FLAGS_preview_scan >= drive.num_scans()) {
+    return absl::InvalidArgumentError(absl::StrCat("--preview_scan=", FLAGS_preview_scan,
+                                                   ": the drive has the scans 0 to ",
+                                                   drive.num_scans() - 1));
+  }
+  return simulation::DrawScanPreview(drive, FLAGS_preview_scan, labels, FLAGS_preview);
 }
 
 ProgressReporter MakeReporter(int num_scans) {
@@ -120,9 +127,10 @@ Command SimulateCommand() {
       "Points are deskewed and carry KITTI's vertical error of 0.205 degrees, as KITTI's do; "
       "--raw leaves them as measured and adds their times. Scans that are there already are kept, "
       "so an interrupted run may be repeated. docs/simulation.md explains the model.";
-  command.flags = {{"config"},      {"route"}, {"poses"},     {"length"},   {"seed"},
-                   {"epoch"},       {"lidar"}, {"num_scans"}, {"sequence"}, {"output"},
-                   {"label_noise"}, {"raw"},   {"preview"},   {"threads"},  {"quiet"}};
+  command.flags = {{"config"},   {"route"},        {"poses"},       {"length"},
+                   {"seed"},     {"epoch"},        {"lidar"},       {"num_scans"},
+                   {"sequence"}, {"output"},       {"label_noise"}, {"raw"},
+                   {"preview"},  {"preview_scan"}, {"threads"},     {"quiet"}};
   command.files = {
       {"sequences/NN/velodyne/*.bin", "Points: x, y, z, remission; float32."},
       {"sequences/NN/labels/*.label", "Label and, for what can be counted, instance; uint32."},

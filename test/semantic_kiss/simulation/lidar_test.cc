@@ -16,10 +16,11 @@ namespace semantic_kiss::simulation {
 namespace {
 
 constexpr double kDeg = M_PI / 180.;
+constexpr double kRate_hz = 10.;
 
 Lidar SmallLidar(const std::string& overrides, uint64_t seed = 1) {
   const proto::SimulationOptions options = SmallOptions(overrides);
-  return Lidar(options.lidars(0), options.errors(), seed);
+  return Lidar(options.lidars(0), options.errors(), kRate_hz, seed);
 }
 
 TEST(LidarTest, BeamsSpreadFromTopToBottomAndTurnLeft) {
@@ -31,7 +32,7 @@ TEST(LidarTest, BeamsSpreadFromTopToBottomAndTurnLeft) {
   EXPECT_NEAR(lidar.NominalAzimuth(150), 0., 0.02);
   EXPECT_NEAR(lidar.NominalAzimuth(225), M_PI / 2., 0.02);
   std::vector<Shot> shots;
-  lidar.Fire(225, &shots);
+  lidar.Fire(225, lidar.ConditionAt(0), &shots);
   ASSERT_EQ(shots.size(), 16u);
   EXPECT_NEAR(shots[0].believed.y(), std::cos(2. * kDeg), 1e-3);
   EXPECT_NEAR(shots[15].believed.z(), std::sin(-24. * kDeg), 1e-12);
@@ -42,7 +43,7 @@ TEST(LidarTest, WithoutErrorsTheDataSheetIsTrue) {
   Random random(1);
   std::vector<Shot> shots;
   for (int column = 0; column < lidar.columns(); column += 17) {
-    lidar.Fire(column, &shots);
+    lidar.Fire(column, lidar.ConditionAt(0), &shots);
     for (int beam = 0; beam < lidar.beams(); ++beam) {
       EXPECT_EQ(shots[beam].actual, shots[beam].believed);
       EXPECT_EQ(lidar.MeasureRange(beam, {20., 0.7, 0.1}, &random), 20.);
@@ -60,10 +61,10 @@ TEST(LidarTest, ShotsPointWhereTheErrorsSay) {
   std::vector<Shot> shots;
   double largest = 0.;
   for (int column = 0; column < lidar.columns(); ++column) {
-    lidar.Fire(column, &shots);
+    lidar.Fire(column, lidar.ConditionAt(0), &shots);
     const double azimuth = lidar.NominalAzimuth(column);
     for (int beam = 0; beam < lidar.beams(); ++beam) {
-      const Bearing error = lidar.Error(beam, UnitAngle::Of(azimuth));
+      const Bearing error = lidar.Error(beam, lidar.ConditionAt(0), UnitAngle::Of(azimuth));
       const double e = lidar.NominalElevation(beam) + error.elevation;
       const double a = azimuth + error.azimuth;
       const Eigen::Vector3d expected(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a),
@@ -77,12 +78,12 @@ TEST(LidarTest, ShotsPointWhereTheErrorsSay) {
 
 TEST(LidarTest, TheRoofHidesTheLowestBeams) {
   const proto::SimulationOptions options = SmallOptions("options.lidars[1].hidden_by_car = true");
-  const Lidar lidar(options.lidars(0), options.errors(), 1);
+  const Lidar lidar(options.lidars(0), options.errors(), kRate_hz, 1);
   std::vector<Shot> shots;
-  lidar.Fire(0, &shots);  // backwards
+  lidar.Fire(0, lidar.ConditionAt(0), &shots);  // backwards
   EXPECT_FALSE(shots[0].hidden);
   EXPECT_TRUE(shots[15].hidden);
-  lidar.Fire(100, &shots);  // to the right
+  lidar.Fire(100, lidar.ConditionAt(0), &shots);  // to the right
   EXPECT_FALSE(shots[15].hidden);
 }
 
@@ -94,7 +95,7 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
     double largest = 0.;
     for (int column = 0; column < 300; ++column) {
       const UnitAngle azimuth = UnitAngle::Of(lidar.NominalAzimuth(column));
-      largest = std::max(largest, lidar.Error(3, azimuth).elevation);
+      largest = std::max(largest, lidar.Error(3, lidar.ConditionAt(0), azimuth).elevation);
     }
     EXPECT_NEAR(largest, 0.5 * kDeg, 1e-3 * kDeg);
   }
@@ -103,7 +104,7 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
     double largest = 0.;
     for (int column = 0; column < 300; ++column) {
       const UnitAngle azimuth = UnitAngle::Of(lidar.NominalAzimuth(column));
-      largest = std::max(largest, lidar.Error(3, azimuth).azimuth);
+      largest = std::max(largest, lidar.Error(3, lidar.ConditionAt(0), azimuth).azimuth);
     }
     EXPECT_NEAR(largest, 0.2 * kDeg, 1e-3 * kDeg);
   }
@@ -113,8 +114,9 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
     const proto::SimulationOptions options =
         SmallOptions(none + "options.errors.beam_elevation_deg = 0.1");
     for (int seed = 0; seed < kDevices; ++seed) {
-      const Lidar lidar(options.lidars(0), options.errors(), static_cast<uint64_t>(seed));
-      squares += std::pow(lidar.Error(5, UnitAngle::Of(0.3)).elevation / kDeg, 2);
+      const Lidar lidar(options.lidars(0), options.errors(), kRate_hz, static_cast<uint64_t>(seed));
+      squares +=
+          std::pow(lidar.Error(5, lidar.ConditionAt(0), UnitAngle::Of(0.3)).elevation / kDeg, 2);
     }
     EXPECT_NEAR(std::sqrt(squares / kDevices), 0.1, 0.012);
   }
@@ -125,6 +127,27 @@ TEST(LidarTest, ErrorsHaveTheirSizes) {
   EXPECT_NEAR(SmallLidar(none + "options.errors.intensity_range_m = 0.1")
                   .MeasureRange(0, {40., 0.8, 1.}, &random),
               39.95, 1e-9);
+}
+
+// 30 s are 300 scans.
+TEST(LidarTest, TheDeviceWandersSlowlyAndAsFarAsItsOptionSays) {
+  const Lidar lidar =
+      SmallLidar(std::string(kNoErrors) + "options.errors.elevation_wander_deg = 0.1");
+  double squares = 0., largest_step = 0.;
+  constexpr int kTimes = 1000;
+  for (int i = 0; i < kTimes; ++i) {
+    const double now = lidar.ConditionAt(300 * i).elevation / kDeg;
+    squares += now * now;
+    largest_step =
+        std::max(largest_step, std::abs(lidar.ConditionAt(300 * i + 1).elevation / kDeg - now));
+  }
+  EXPECT_NEAR(std::sqrt(squares / kTimes), 0.1, 0.03);
+  EXPECT_GT(largest_step, 0.);
+  EXPECT_LT(largest_step, 0.01);
+  const Condition still = SmallLidar(kNoErrors).ConditionAt(12345);
+  EXPECT_EQ(still.elevation, 0.);
+  EXPECT_EQ(still.tilt.cosine, 0.);
+  EXPECT_EQ(still.encoder.sine, 0.);
 }
 
 TEST(LidarTest, NoiseHasItsStandardDeviation) {

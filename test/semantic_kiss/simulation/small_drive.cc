@@ -9,7 +9,9 @@
 
 namespace semantic_kiss::simulation {
 
-const char kNoErrors[] = "for name in pairs(options.errors) do options.errors[name] = 0. end\n";
+const char kNoErrors[] =
+    "for name in pairs(options.errors) do options.errors[name] = 0. end\n"
+    "options.errors.wander_s = 30.\n";
 const char kNothingMovable[] =
     "options.world.parked_vehicle_density = 0.\n"
     "options.world.person_density = 0.\n"
