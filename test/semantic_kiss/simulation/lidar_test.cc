@@ -56,7 +56,7 @@ TEST(LidarTest, ShotsPointWhereTheErrorsSay) {
   const Lidar lidar = SmallLidar(
       "for _, name in ipairs({'beam_elevation_deg', 'beam_azimuth_deg', 'axis_tilt_deg',\n"
       "    'directional_elevation_deg', 'encoder_eccentricity_deg', 'bank_elevation_deg'}) do\n"
-      "  options.errors[name] = 20. * options.errors[name]\n"
+      "  options.errors[name] = 10. * options.errors[name]\n"
       "end");
   std::vector<Shot> shots;
   double largest = 0.;
