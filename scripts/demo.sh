@@ -27,7 +27,7 @@ else
   "$semantic_kiss" simulate --route=city --length=800 --lidar=hdl64 --output="$dataset"
 fi
 
-"$semantic_kiss" run --config=semantic_kiss.lua --dataset="$dataset" --sequence=00 \
+"$semantic_kiss" run --config=semantic_kiss_6dof.lua --dataset="$dataset" --sequence=00 \
   --output="$output" "${run_flags[@]}"
 
 cat <<MESSAGE
