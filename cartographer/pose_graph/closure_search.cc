@@ -11,6 +11,7 @@
 #include "cartographer/common/parallel.h"
 #include "cartographer/pose_graph/verify_closure.h"
 #include "cartographer/scan_matching/planar_pose.h"
+#include "cartographer/scan_matching/refine_in_plane.h"
 #include "cartographer/scan_matching/submap_matcher.h"
 #include "cartographer/transform/rigid_transform.h"
 #include "glog/logging.h"
@@ -150,9 +151,12 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
   }
   closure.score = match->score;
 
+  const scan_matching::PlanarRefinement refined = scan_matching::RefineInPlane(
+      *matcher, scan, match->submap_from_node, options_.scan_matching().refinement());
+
   const submap::PlacedNode& node = graph.nodes.at(candidate.node_id);
   const ClosureReport report = VerifyClosure(
-      *node.cloud, scan_matching::InSpace(match->submap_from_node) * LevelFromNode(node), target,
+      *node.cloud, scan_matching::InSpace(refined.submap_from_node) * LevelFromNode(node), target,
       options_.verification());
   result.verdict = std::string(VerdictName(report.verdict));
   closure.overlap = report.overlap;

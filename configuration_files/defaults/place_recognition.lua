@@ -5,28 +5,19 @@
 -- stand in proto/cartographer/pose_graph/proto/place_recognition_options.proto. Groups go by roles,
 -- not by names, so that they serve every label set.
 
-local function group(name, roles, weight, saturation_hits, apart)
-  return {
-    name = name,
-    labels = {},
-    roles = roles,
-    weight = weight,
-    saturation_hits = saturation_hits,
-    apart = apart,
-  }
-end
+include "defaults/label_group.lua"
 
 PLACE_RECOGNITION = {
   groups = {
-    group("moving", { "moving" }, 0.0, 1, false),
+    LABEL_GROUP("moving", { "moving" }, 0.0, 1, false),
     -- Others may be parked there the next time.
-    group("movable", { "movable" }, 0.0, 1, false),
-    group("critical", { "critical" }, 1.0, 4, false),
+    LABEL_GROUP("movable", { "movable" }, 0.0, 1, false),
+    LABEL_GROUP("critical", { "critical" }, 1.0, 4, false),
     -- The lanes look alike everywhere.
-    group("ground", { "ground" }, 0.0, 1, false),
-    group("unlabeled", { "unlabeled" }, 1.0, 4, false),
+    LABEL_GROUP("ground", { "ground" }, 0.0, 1, false),
+    LABEL_GROUP("unlabeled", { "unlabeled" }, 1.0, 4, false),
     -- The rest: buildings, fences, vegetation, trunks.
-    group("structure", {}, 1.0, 4, true),
+    LABEL_GROUP("structure", {}, 1.0, 4, true),
   },
   min_height_m = 0.5,
   cell_m = 2.0,

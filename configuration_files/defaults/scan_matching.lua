@@ -5,32 +5,23 @@
 -- stand in proto/cartographer/scan_matching/proto/scan_matching_options.proto. Groups go by roles,
 -- not by names, so that they serve every label set.
 
-local function group(name, roles, weight, saturation_hits, apart)
-  return {
-    name = name,
-    labels = {},
-    roles = roles,
-    weight = weight,
-    saturation_hits = saturation_hits,
-    apart = apart,
-  }
-end
+include "defaults/label_group.lua"
 
 SCAN_MATCHING = {
   score = {
     score = "dominant_label",
     partial_agreement = 0.0,
     groups = {
-      group("moving", { "moving" }, 0.0, 1, false),
+      LABEL_GROUP("moving", { "moving" }, 0.0, 1, false),
       -- Few points, but they tell one place from another.
-      group("critical", { "critical" }, 3.0, 10, false),
+      LABEL_GROUP("critical", { "critical" }, 3.0, 10, false),
       -- May have left since, or another one may stand there.
-      group("movable", { "movable" }, 0.5, 10, false),
+      LABEL_GROUP("movable", { "movable" }, 0.5, 10, false),
       -- Everywhere, so that only its borders say where the scan was taken.
-      group("ground", { "ground" }, 0.25, 5, true),
-      group("unlabeled", { "unlabeled" }, 0.25, 10, false),
+      LABEL_GROUP("ground", { "ground" }, 0.25, 5, true),
+      LABEL_GROUP("unlabeled", { "unlabeled" }, 0.25, 10, false),
       -- The rest: buildings, fences, vegetation, trunks.
-      group("structure", {}, 1.0, 10, true),
+      LABEL_GROUP("structure", {}, 1.0, 10, true),
     },
     max_range_m = 60.0,
   },

@@ -4,10 +4,13 @@
 #ifndef TEST_CARTOGRAPHER_SCAN_MATCHING_CROSSING_SCENE_H_
 #define TEST_CARTOGRAPHER_SCAN_MATCHING_CROSSING_SCENE_H_
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "cartographer/scan_matching/submap_matcher.h"
 #include "test/cartographer/scan_matching/small_scenes.h"
 
 namespace cartographer::scan_matching {
@@ -72,6 +75,22 @@ inline sensor::LabeledPointCloud ScanFrom(const std::vector<WorldPoint>& points,
   }
   return cloud;
 }
+
+// The crossing, seen twice with different noise, and a matcher for a score.
+class CrossingTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  explicit CrossingTest(int seed)
+      : random_(seed),
+        map_points_(Crossing(&random_)),
+        seen_points_(Crossing(&random_)),
+        model_(SmallModel(SmallOptions(GetParam()))),
+        matcher_(GridOf(map_points_), model_) {}
+
+  std::mt19937 random_;
+  const std::vector<WorldPoint> map_points_, seen_points_;
+  const ScoreModel model_;
+  const SubmapMatcher matcher_;
+};
 
 // Where nodes may be: in all directions, next to where angles wrap around.
 inline const PlanarPose kPosesOnCrossing[] = {

@@ -26,20 +26,9 @@ proto::RefinementOptions Options() {
   return options;
 }
 
-class RefineInPlaneTest : public ::testing::TestWithParam<const char*> {
+class RefineInPlaneTest : public CrossingTest {
  protected:
-  RefineInPlaneTest()
-      : random_(12),
-        map_points_(Crossing(&random_)),
-        seen_points_(Crossing(&random_)),
-        model_(SmallModel(SmallOptions(GetParam()))),
-        matcher_(GridOf(map_points_), model_) {}
-
-  std::mt19937 random_;
-  const std::vector<WorldPoint> map_points_;   // the same crossing, seen
-  const std::vector<WorldPoint> seen_points_;  // twice, with other noise
-  const ScoreModel model_;
-  const SubmapMatcher matcher_;
+  RefineInPlaneTest() : CrossingTest(12) {}
 };
 
 // A match is within a cell; refined, it is within 5 cm and 0.2 degrees.

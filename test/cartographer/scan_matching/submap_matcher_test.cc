@@ -23,20 +23,9 @@ void ExpectWithinACell(const Match& match, const PlanarPose& truth, double radiu
   EXPECT_LE(std::abs(turn), kCrossingResolution_m / radius_m * 1.01);
 }
 
-class SubmapMatcherTest : public ::testing::TestWithParam<const char*> {
+class SubmapMatcherTest : public CrossingTest {
  protected:
-  SubmapMatcherTest()
-      : random_(11),
-        map_points_(Crossing(&random_)),
-        seen_points_(Crossing(&random_)),
-        model_(SmallModel(SmallOptions(GetParam()))),
-        matcher_(GridOf(map_points_), model_) {}
-
-  std::mt19937 random_;
-  const std::vector<WorldPoint> map_points_;   // the same crossing, seen
-  const std::vector<WorldPoint> seen_points_;  // twice, with other noise
-  const ScoreModel model_;
-  const SubmapMatcher matcher_;
+  SubmapMatcherTest() : CrossingTest(11) {}
 };
 
 TEST_P(SubmapMatcherTest, FindsTheNodeInAWindow) {
