@@ -21,6 +21,8 @@ return {
     highway_threshold_m_per_s = 16.5,
     heave_m = 0.008,
     sway_deg = 0.15,
+    lane_offset_m = 0.,
+    speed_factor = 1.,
   },
   world = {
     hill_height_m = 2.5,

@@ -29,6 +29,7 @@ DEFINE_string(keep_role, "",
               "Roles whose labels are kept: moving, movable, critical, ground, unlabeled.");
 DEFINE_string(keep_trajectory, "",
               "Trajectories to keep, separated by commas: only what the others saw is removed.");
+DEFINE_double(lane_offset, 0., "Drive so far to the left of the town's planned drive, in metres.");
 DEFINE_double(label_noise, 0., "Share of points with a wrong label, up to 0.25.");
 DEFINE_string(labels_dir, "",
               "Where the labels are: a folder of the sequence such as `predictions`, an absolute "
@@ -62,6 +63,7 @@ DEFINE_int64(seed, 0, "What the town and the lidar's errors are made from.");
 DEFINE_string(sequence, "00", "Sequence of the data set.");
 DEFINE_string(show, "", "The only labels that are used, separated by commas: building,fence.");
 DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
+DEFINE_double(speed_factor, 1., "Drive at so many times the speed of the town's planned drive.");
 DEFINE_string(trajectory, "", "Trajectories, by their numbers, separated by commas.");
 
 namespace semantic_kiss::cli {
@@ -86,6 +88,8 @@ const std::vector<FlagInfo>& Flags() {
       {"length", "M", G::kSelection, V::kNumber, "as configured", 0.},
       {"seed", "N", G::kSelection, V::kNumber, "as configured", 0.},
       {"epoch", "N", G::kSelection, V::kNumber, "as configured", 0.},
+      {"lane_offset", "M", G::kSelection, V::kNumber, "as configured"},
+      {"speed_factor", "F", G::kSelection, V::kNumber, "as configured", 0.},
       {"label_noise", "SHARE", G::kSelection, V::kNumber, "as configured", 0.},
       {"hide", "LABELS", G::kSelection, V::kText},
       {"show", "LABELS", G::kSelection, V::kText, "all"},

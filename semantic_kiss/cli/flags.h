@@ -26,6 +26,7 @@ DECLARE_string(keep_role);
 DECLARE_string(keep_trajectory);
 DECLARE_double(label_noise);
 DECLARE_string(labels_dir);
+DECLARE_double(lane_offset);
 DECLARE_double(length);
 DECLARE_string(lidar);
 DECLARE_string(map);
@@ -49,6 +50,7 @@ DECLARE_int64(seed);
 DECLARE_string(sequence);
 DECLARE_string(show);
 DECLARE_int32(threads);
+DECLARE_double(speed_factor);
 DECLARE_string(trajectory);
 
 namespace semantic_kiss::cli {

@@ -30,6 +30,8 @@ using simulation::proto::SimulationOptions;
 void ApplyRouteFlags(simulation::proto::RouteOptions* route) {
   if (IsGiven("route")) route->set_kind(FLAGS_route);
   if (IsGiven("length")) route->set_length_m(FLAGS_length);
+  if (IsGiven("lane_offset")) route->set_lane_offset_m(FLAGS_lane_offset);
+  if (IsGiven("speed_factor")) route->set_speed_factor(FLAGS_speed_factor);
   if (!FLAGS_poses.empty()) {
     route->set_kind("recorded");
     route->set_poses_file(FLAGS_poses);
@@ -127,10 +129,10 @@ Command SimulateCommand() {
       "Points are deskewed and carry KITTI's vertical error of 0.205 degrees, as KITTI's do; "
       "--raw leaves them as measured and adds their times. Scans that are there already are kept, "
       "so an interrupted run may be repeated. docs/simulation.md explains the model.";
-  command.flags = {{"config"},   {"route"},        {"poses"},       {"length"},
-                   {"seed"},     {"epoch"},        {"lidar"},       {"num_scans"},
-                   {"sequence"}, {"output"},       {"label_noise"}, {"raw"},
-                   {"preview"},  {"preview_scan"}, {"threads"},     {"quiet"}};
+  command.flags = {{"config"},       {"route"},       {"poses"},        {"length"}, {"seed"},
+                   {"epoch"},        {"lane_offset"}, {"speed_factor"}, {"lidar"},  {"num_scans"},
+                   {"sequence"},     {"output"},      {"label_noise"},  {"raw"},    {"preview"},
+                   {"preview_scan"}, {"threads"},     {"quiet"}};
   command.files = {
       {"sequences/NN/velodyne/*.bin", "Points: x, y, z, remission; float32."},
       {"sequences/NN/labels/*.label", "Label and, for what can be counted, instance; uint32."},

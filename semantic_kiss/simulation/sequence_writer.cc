@@ -130,19 +130,17 @@ absl::Status SequenceWriter::WriteScan(int scan, const SimulatedScan& points) co
                              }));
 }
 
-absl::Status SequenceWriter::WriteDrive(const std::vector<Rigid3d>& world_from_lidar,
+absl::Status SequenceWriter::WriteDrive(const std::vector<Rigid3d>& start_from_lidar,
                                         double scan_rate_hz) const {
   RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(directory_, "/calib.txt"), CalibrationRows()));
   std::string times;
-  std::vector<Rigid3d> first_from_lidar;
-  for (size_t i = 0; i < world_from_lidar.size(); ++i) {
+  for (size_t i = 0; i < start_from_lidar.size(); ++i) {
     absl::StrAppendFormat(&times, "%.6e\n", i / scan_rate_hz);
-    first_from_lidar.push_back(world_from_lidar.front().inverse() * world_from_lidar[i]);
   }
   RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(directory_, "/times.txt"), times));
   return cartographer::io::WriteKittiPoses(
       absl::StrCat(directory_, "/poses.txt"),
-      cartographer::io::PosesOfOtherBody(first_from_lidar, CameraFromLidar()));
+      cartographer::io::PosesOfOtherBody(start_from_lidar, CameraFromLidar()));
 }
 
 }  // namespace semantic_kiss::simulation

@@ -35,9 +35,9 @@ class SequenceWriter {
   bool IsComplete(int scan) const;
   absl::Status WriteScan(int scan, const SimulatedScan& points) const;
 
-  // calib.txt, times.txt and poses.txt (camera frame, first pose the identity); written once all
+  // calib.txt, times.txt and poses.txt (of the camera, in its frame at the start); written once all
   // scans are there.
-  absl::Status WriteDrive(const std::vector<cartographer::transform::Rigid3d>& world_from_lidar,
+  absl::Status WriteDrive(const std::vector<cartographer::transform::Rigid3d>& start_from_lidar,
                           double scan_rate_hz) const;
 
   const std::string& directory() const { return directory_; }

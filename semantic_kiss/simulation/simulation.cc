@@ -15,6 +15,7 @@
 #include "semantic_kiss/simulation/drive.h"
 #include "semantic_kiss/simulation/label_noise.h"
 #include "semantic_kiss/simulation/random.h"
+#include "semantic_kiss/simulation/redrive.h"
 #include "semantic_kiss/simulation/sequence_writer.h"
 
 namespace semantic_kiss::simulation {
@@ -51,14 +52,18 @@ absl::StatusOr<std::unique_ptr<Simulation>> Simulation::Create(
 
 Simulation::Simulation(const proto::SimulationOptions& options, Route route,
                        const proto::LidarOptions& lidar)
-    : options_(options), route_(std::move(route)) {
+    : options_(options),
+      planned_(std::move(route)),
+      driven_(Redrive(planned_, options.route().lane_offset_m(), options.route().speed_factor())) {
   const auto seed = static_cast<uint64_t>(options_.seed());
   const double mount_m = lidar.mount_height_m();
   lidar_ = std::make_unique<Lidar>(lidar, options_.errors(), options_.scan_rate_hz(), seed);
-  world_ = std::make_unique<World>(route_, options_.world(), mount_m, seed, options_.epoch());
-  world_from_lidar_ = DriveOverHills(route_, world_->hills(), options_.route(), mount_m, seed);
+  world_ = std::make_unique<World>(planned_, options_.world(), mount_m, seed, options_.epoch());
+  world_from_start_ =
+      DriveOverHills(planned_, world_->hills(), options_.route(), mount_m, seed).front();
+  world_from_lidar_ = DriveOverHills(driven_, world_->hills(), options_.route(), mount_m, seed);
   traffic_ =
-      std::make_unique<Traffic>(route_, world_->streets(), options_.world().traffic_density(),
+      std::make_unique<Traffic>(driven_, world_->streets(), options_.world().traffic_density(),
                                 options_.scan_rate_hz(), seed, options_.epoch());
   scanner_ = std::make_unique<Scanner>(*world_, *traffic_, *lidar_, world_from_lidar_, options_);
 }
@@ -73,8 +78,8 @@ SimulatedScan Simulation::Scan(int index) const {
 
 double Simulation::length_m() const {
   double length_m = 0.;
-  for (size_t i = 1; i < route_.poses.size(); ++i) {
-    length_m += (route_.poses[i].position - route_.poses[i - 1].position).norm();
+  for (size_t i = 1; i < driven_.poses.size(); ++i) {
+    length_m += (driven_.poses[i].position - driven_.poses[i - 1].position).norm();
   }
   return length_m;
 }
@@ -107,9 +112,12 @@ absl::Status WriteSequence(const Simulation& simulation, const WriteRequest& req
                                                " scans; the same command goes on from there"));
     }
   }
-  std::vector<cartographer::transform::Rigid3d> poses = simulation.world_from_lidar();
-  poses.resize(total);
-  return writer.WriteDrive(poses, simulation.options().scan_rate_hz());
+  std::vector<cartographer::transform::Rigid3d> start_from_lidar;
+  for (int i = 0; i < total; ++i) {
+    start_from_lidar.push_back(simulation.world_from_start().inverse() *
+                               simulation.world_from_lidar()[i]);
+  }
+  return writer.WriteDrive(start_from_lidar, simulation.options().scan_rate_hz());
 }
 
 }  // namespace semantic_kiss::simulation

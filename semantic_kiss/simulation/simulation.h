@@ -36,9 +36,12 @@ class Simulation {
   SimulatedScan Scan(int index) const;
 
   const proto::SimulationOptions& options() const { return options_; }
-  const Route& route() const { return route_; }
+  const Route& route() const { return driven_; }
   const World& world() const { return *world_; }
   const Lidar& lidar() const { return *lidar_; }
+  // The lidar's pose at the end of the first sweep of the drive that the town was planned for: the
+  // frame of all poses that are written, whoever drives there and when.
+  const cartographer::transform::Rigid3d& world_from_start() const { return world_from_start_; }
   // True poses at the end of every sweep.
   const std::vector<cartographer::transform::Rigid3d>& world_from_lidar() const {
     return world_from_lidar_;
@@ -49,9 +52,11 @@ class Simulation {
              const proto::LidarOptions& lidar);
 
   const proto::SimulationOptions options_;
-  const Route route_;
+  const Route planned_;  // what the town is built along
+  const Route driven_;
   std::unique_ptr<Lidar> lidar_;
   std::unique_ptr<World> world_;
+  cartographer::transform::Rigid3d world_from_start_;
   std::vector<cartographer::transform::Rigid3d> world_from_lidar_;
   std::unique_ptr<Traffic> traffic_;
   std::unique_ptr<Scanner> scanner_;
