@@ -26,6 +26,7 @@ packages=(
   liblua5.3-dev
   libprotobuf-dev
   libtbb-dev
+  nettle-dev
   ninja-build
   nlohmann-json3-dev
   pkg-config

@@ -36,11 +36,9 @@ Rigid3d LevelFromNode(const submap::PlacedNode& node) {
   return transform::Level(node.local_from_node).inverse() * node.local_from_node;
 }
 
-sensor::LabeledPointCloud Levelled(const submap::PlacedNode& node) {
-  sensor::LabeledPointCloud cloud = *node.cloud;
-  const Rigid3d level_from_node = LevelFromNode(node);
+sensor::LabeledPointCloud Moved(sensor::LabeledPointCloud cloud, const Rigid3d& to_from_cloud) {
   for (Eigen::Vector3f& position : cloud.positions) {
-    position = (level_from_node * position.cast<double>().eval()).cast<float>();
+    position = (to_from_cloud * position.cast<double>().eval()).cast<float>();
   }
   return cloud;
 }
@@ -101,7 +99,8 @@ ClosureSearch::Scans ClosureSearch::MakeScans(const std::vector<ClosureCandidate
   Scans scans;
   for (const ClosureCandidate& candidate : candidates) scans[candidate.node_id] = nullptr;
   return MakeForEach<NodeId, MatchingScan>(std::move(scans), [&](const NodeId& node_id) {
-    return std::make_shared<const MatchingScan>(Levelled(graph.nodes.at(node_id)), model_);
+    return std::make_shared<const MatchingScan>(
+        Moved(*graph.nodes.at(node_id).cloud, LevelFromNode(graph.nodes.at(node_id))), model_);
   });
 }
 
@@ -154,6 +153,11 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
   const scan_matching::PlanarRefinement refined = scan_matching::RefineInPlane(
       *matcher, scan, match->submap_from_node, options_.scan_matching().refinement());
 
+  if (options_.verify_in() == "plane") {
+    VerifyInPlane(refined, graph, &closure);
+    result.verdict = std::string(VerdictName(Verdict::kAccepted));
+    return result;
+  }
   const submap::PlacedNode& node = graph.nodes.at(candidate.node_id);
   const ClosureReport report = VerifyClosure(
       *node.cloud, scan_matching::InSpace(refined.submap_from_node) * LevelFromNode(node), target,
@@ -169,6 +173,51 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
           << closure.score << ", overlap " << closure.overlap << ", inliers "
           << closure.inlier_ratio;
   return result;
+}
+
+void ClosureSearch::VerifyInPlane(const scan_matching::PlanarRefinement& refined,
+                                  const Graph& graph, Closure* closure) const {
+  submap::Constraint& constraint = closure->constraint;
+  const submap::PlacedNode& node = graph.nodes.at(constraint.node_id);
+  const Rigid3d& map_from_submap = graph.submaps.at(constraint.submap_id).map_from_submap;
+  // Nothing was learned about the height: it is as the map has it.
+  const double height_m = (map_from_submap.inverse() * node.map_from_node).translation().z();
+  constraint.submap_from_node = Rigid3d::Translation({0., 0., height_m}) *
+                                scan_matching::InSpace(refined.submap_from_node) *
+                                LevelFromNode(node);
+  constraint.translation_weight = 1. / options_.planar_closure().sigma_m();
+  constraint.rotation_weight = 180. / M_PI / options_.planar_closure().sigma_deg();
+  closure->inlier_ratio = refined.agreement;
+  closure->overlap = refined.agreement;
+  DescribeCorrection(graph, closure);
+}
+
+std::optional<ClosureCandidate> ClosureSearch::FindAnywhere(const NodeId& node_id,
+                                                            const SubmapId& own_submap_id,
+                                                            const std::vector<SubmapId>& among,
+                                                            const Graph& graph) {
+  const submap::Submap& own = *graph.submaps.at(own_submap_id).submap;
+  const Rigid3d level_from_own =
+      transform::Level(graph.nodes.at(node_id).local_from_node).inverse() * own.local_from_submap;
+  const MatchingScan scan(Moved(own.cloud, level_from_own), model_);
+  std::optional<ClosureCandidate> best;
+  double best_score = options_.min_score();
+  for (size_t begin = 0; begin < among.size(); begin += kCandidatesAtOnce) {
+    const size_t size = std::min(among.size() - begin, kCandidatesAtOnce);
+    std::vector<std::shared_ptr<const scan_matching::SubmapMatcher>> matchers(size);
+    common::ParallelChunks(size, 1, [&](size_t i, size_t) {
+      const SubmapId& id = among[begin + i];
+      matchers[i] = matchers_.Get(id, *graph.submaps.at(id).submap);
+    });
+    const auto found = scan_matching::MatchInAllSubmaps(matchers, scan, best_score);
+    if (!found.has_value() || (best.has_value() && found->match.score <= best_score)) continue;
+    best_score = found->match.score;
+    best = {node_id, among[begin + found->index], found->match.submap_from_node,
+            scan_matching::SearchWindow{options_.candidates().place_linear_m(),
+                                        options_.candidates().place_angular_deg() * M_PI / 180.},
+            /*by_place_recognition=*/true};
+  }
+  return best;
 }
 
 }  // namespace cartographer::pose_graph

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "cartographer/pose_graph/proto/pose_graph_options.pb.h"
 #include "cartographer/scan_matching/matcher_cache.h"
 #include "cartographer/scan_matching/matching_scan.h"
+#include "cartographer/scan_matching/refine_in_plane.h"
 #include "cartographer/scan_matching/score_model.h"
 #include "cartographer/sensor/label_set.h"
 
@@ -27,8 +29,8 @@ struct SearchedCandidate {
   Closure closure;
 };
 
-// Looks where candidates say and judges what is found: branch and bound in the submap's grid, then
-// registration and verification in space.
+// Looks where candidates say and judges what is found: branch and bound in the submap's grid, then,
+// as the options say, registration and verification in space.
 class ClosureSearch {
  public:
   ClosureSearch(const proto::PoseGraphOptions& options, const scan_matching::ScoreModel& model,
@@ -38,6 +40,17 @@ class ClosureSearch {
   // number of threads, nor on what was searched before.
   std::vector<SearchedCandidate> Search(const std::vector<ClosureCandidate>& candidates,
                                         const Graph& graph);
+
+  // Looks for a node everywhere in some submaps, by all that its own finished submap shows. The one
+  // where most agrees, as a candidate; nullopt if it scores less than options.min_score() in all.
+  // The submaps share the best score so far as their bound.
+  std::optional<ClosureCandidate> FindAnywhere(const submap::NodeId& node_id,
+                                               const submap::SubmapId& own_submap_id,
+                                               const std::vector<submap::SubmapId>& among,
+                                               const Graph& graph);
+
+  // Forgets what was kept of a submap that is gone.
+  void Forget(const submap::SubmapId& submap_id) { matchers_.Remove(submap_id); }
 
  private:
   using Scans = std::map<submap::NodeId, std::shared_ptr<const scan_matching::MatchingScan>>;
@@ -53,6 +66,8 @@ class ClosureSearch {
   SearchedCandidate SearchOne(const ClosureCandidate& candidate,
                               const scan_matching::MatchingScan& scan, const ClosureTarget& target,
                               const Graph& graph);
+  void VerifyInPlane(const scan_matching::PlanarRefinement& refined, const Graph& graph,
+                     Closure* closure) const;
 
   const proto::PoseGraphOptions options_;
   const scan_matching::ScoreModel model_;

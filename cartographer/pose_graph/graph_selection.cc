@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "cartographer/pose_graph/trajectory_groups.h"
+
 namespace cartographer::pose_graph {
 namespace {
 
@@ -52,24 +54,6 @@ std::set<int> FindBroken(const Graph& graph) {
   return broken;
 }
 
-// Trajectories by the first of those that they are tied to.
-class Groups {
- public:
-  int FirstOf(int trajectory_id) {
-    const auto it = parent_.emplace(trajectory_id, trajectory_id).first;
-    if (it->second == trajectory_id) return trajectory_id;
-    return it->second = FirstOf(it->second);
-  }
-  void Unite(int a, int b) {
-    const int first_of_a = FirstOf(a);
-    const int first_of_b = FirstOf(b);
-    parent_[std::max(first_of_a, first_of_b)] = std::min(first_of_a, first_of_b);
-  }
-
- private:
-  std::map<int, int> parent_;
-};
-
 std::vector<const Constraint*> FindLoops(const Graph& graph,
                                          const std::map<SubmapId, SubmapTie>& ties) {
   const std::set<int> broken = FindBroken(graph);
@@ -95,7 +79,7 @@ GraphSelection SelectFrom(const Graph& graph) {
   GraphSelection selection;
   selection.ties = FindTies(graph);
   selection.loops = FindLoops(graph, selection.ties);
-  Groups groups;
+  TrajectoryGroups groups;
   for (const Constraint* loop : selection.loops) {
     const int of_node = loop->node_id.trajectory_id;
     const int of_submap = loop->submap_id.trajectory_id;

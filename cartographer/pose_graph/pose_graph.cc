@@ -3,14 +3,14 @@
 
 #include "cartographer/pose_graph/pose_graph.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
-#include "cartographer/common/parallel.h"
 #include "cartographer/common/status.h"
 #include "cartographer/pose_graph/agreement.h"
-#include "cartographer/pose_graph/find_candidates.h"
+#include "cartographer/pose_graph/join_groups.h"
 #include "cartographer/pose_graph/optimize_graph.h"
+#include "cartographer/pose_graph/trim.h"
 #include "cartographer/pose_graph/verify_closure.h"
 #include "glog/logging.h"
 
@@ -21,6 +21,20 @@ using submap::NodeId;
 using submap::PlacedNode;
 using submap::Submap;
 using submap::SubmapId;
+
+namespace {
+
+template <typename Container, typename Predicate>
+void RemoveIf(Container* container, const Predicate& predicate) {
+  container->erase(std::remove_if(container->begin(), container->end(), predicate),
+                   container->end());
+}
+
+double Distance_m(const PlacedNode& a, const PlacedNode& b) {
+  return (a.local_from_node.translation() - b.local_from_node.translation()).norm();
+}
+
+}  // namespace
 
 absl::StatusOr<std::unique_ptr<PoseGraph>> PoseGraph::Create(const proto::PoseGraphOptions& options,
                                                              const sensor::LabelSet& labels) {
@@ -36,32 +50,45 @@ absl::StatusOr<std::unique_ptr<PoseGraph>> PoseGraph::Create(const proto::PoseGr
 PoseGraph::PoseGraph(const proto::PoseGraphOptions& options, const scan_matching::ScoreModel& model,
                      const sensor::LabelSet& labels, const PlaceDescriber& describer)
     : options_(options),
-      describer_(describer),
       search_(options, model, labels),
-      places_(describer) {}
+      finder_(options.candidates(), describer) {}
+
+void PoseGraph::AddMap(const Graph& map) {
+  for (const auto& [id, submap] : map.submaps) CHECK(graph_.submaps.emplace(id, submap).second);
+  for (const auto& [id, node] : map.nodes) CHECK(graph_.nodes.emplace(id, node).second);
+  graph_.constraints.insert(graph_.constraints.end(), map.constraints.begin(),
+                            map.constraints.end());
+  graph_.frozen_trajectories.insert(map.frozen_trajectories.begin(), map.frozen_trajectories.end());
+}
+
+void PoseGraph::ExpectNear(int trajectory_id, const transform::Rigid3d& map_from_local,
+                           double path_m) {
+  map_from_local_ = map_from_local;
+  finder_.ExpectNear(trajectory_id, path_m);
+}
 
 void PoseGraph::AddNode(const NodeId& node_id, PlacedNode node,
                         const std::map<int, std::shared_ptr<const Submap>>& submaps,
                         std::vector<common::StageTime>* stage_times) {
   const bool first = !last_node_.has_value() || last_node_->trajectory_id != node_id.trajectory_id;
-  if (!first) {
-    const transform::Rigid3d& local_from_last = graph_.nodes.at(*last_node_).local_from_node;
-    since_searched_m_ +=
-        (node.local_from_node.translation() - local_from_last.translation()).norm();
-  }
+  if (!first) since_searched_m_ += Distance_m(graph_.nodes.at(*last_node_), node);
   node.map_from_node = map_from_local_ * node.local_from_node;
   CHECK(graph_.nodes.emplace(node_id, std::move(node)).second);
   last_node_ = node_id;
   AddSubmaps(node_id, submaps);
+  last_outcomes_.clear();
   if (!Enabled()) return;
 
   if (first || since_searched_m_ >= options_.candidates().node_spacing_m()) {
     to_search_.push_back(node_id);
+    if (!submaps.empty()) {
+      to_recognize_[node_id] = {node_id.trajectory_id, submaps.begin()->first};
+    }
     since_searched_m_ = 0.;
   }
   if (++nodes_since_round_ < options_.optimize_every_n_nodes()) return;
   nodes_since_round_ = 0;
-  RunRound(std::exchange(to_search_, {}), stage_times);
+  RunRound(std::exchange(to_search_, {}), TakeRecognizable(), stage_times);
 }
 
 void PoseGraph::AddSubmaps(const NodeId& node_id,
@@ -80,23 +107,69 @@ void PoseGraph::AddSubmaps(const NodeId& node_id,
   }
 }
 
-void PoseGraph::Finish(std::vector<common::StageTime>* stage_times) {
-  if (!Enabled() || graph_.nodes.empty()) return;
-  RunRound(std::exchange(to_search_, {}), stage_times);
-  // Once the loops are closed the windows are small, and nodes that were driven past before their
-  // place was known have a chance.
-  RunRound(NodesWithoutClosure(), stage_times);
+PoseGraph::Nodes PoseGraph::TakeRecognizable() {
+  Nodes recognizable;
+  for (auto it = to_recognize_.begin(); it != to_recognize_.end();) {
+    if (!graph_.submaps.at(it->second).submap->finished) {
+      ++it;
+      continue;
+    }
+    recognizable.push_back(it->first);
+    it = to_recognize_.erase(it);
+  }
+  return recognizable;
 }
 
-void PoseGraph::RunRound(const std::vector<NodeId>& node_ids,
-                         std::vector<common::StageTime>* stage_times) {
-  common::Stopwatch stopwatch;
+void PoseGraph::Finish(std::vector<common::StageTime>* stage_times) {
+  if (!Enabled() || graph_.nodes.empty()) return;
+  RunRound(std::exchange(to_search_, {}), TakeRecognizable(), stage_times);
+  // Once the loops are closed the windows are small, and nodes that were driven past before their
+  // place was known have a chance.
+  const Nodes left = NodesWithoutClosure();
+  RunRound(left, left, stage_times);
+}
+
+PoseGraph::Nodes PoseGraph::SpacedNodes(const std::set<int>& trajectory_ids) const {
+  Nodes spaced;
+  const PlacedNode* last = nullptr;
+  double driven_m = 0.;
+  for (const auto& [id, node] : graph_.nodes) {
+    if (trajectory_ids.count(id.trajectory_id) == 0) continue;
+    const bool first = spaced.empty() || spaced.back().trajectory_id != id.trajectory_id;
+    if (!first) driven_m += Distance_m(*last, node);
+    last = &node;
+    if (!first && driven_m < options_.candidates().node_spacing_m()) continue;
+    spaced.push_back(id);
+    driven_m = 0.;
+  }
+  return spaced;
+}
+
+void PoseGraph::SearchTrajectories(const std::set<int>& trajectory_ids,
+                                   std::vector<common::StageTime>* stage_times) {
   const Topology topology(graph_);
-  DescribeFinishedSubmaps(topology);
-  const std::vector<ClosureCandidate> candidates =
-      FindCandidates(KeepReady(node_ids, topology), topology);
+  Nodes nodes = SpacedNodes(trajectory_ids);
+  RemoveIf(&nodes, [&](const NodeId& id) { return topology.OldestSubmapOf(id) == nullptr; });
+  finder_.Settle(trajectory_ids);
+  RunRound(nodes, nodes, stage_times);
+  const Nodes left = NodesWithoutClosure();
+  RunRound(left, left, stage_times);
+}
+
+void PoseGraph::RunRound(const Nodes& nearby, const Nodes& recognizable,
+                         std::vector<common::StageTime>* stage_times) {
+  if (nearby.empty() && recognizable.empty()) return;
+  common::Stopwatch stopwatch;
+  outcome_of_node_.clear();
+  const Topology topology(graph_);
+  finder_.Describe(graph_, topology);
+  std::vector<ClosureCandidate> candidates = finder_.Nearby(nearby, graph_, topology);
+  const std::vector<ClosureCandidate> places = finder_.ByPlace(recognizable, graph_, topology);
+  candidates.insert(candidates.end(), places.begin(), places.end());
   stopwatch.Lap("closure_candidates", stage_times);
   Book(search_.Search(candidates, graph_));
+  SearchEverywhere(recognizable, topology);
+  NoteOutcomes(nearby, recognizable);
   const bool any = AcceptAgreed(topology);
   ForgetLonely(topology);
   stopwatch.Lap("closure_search", stage_times);
@@ -104,92 +177,47 @@ void PoseGraph::RunRound(const std::vector<NodeId>& node_ids,
   stopwatch.Lap("optimization", stage_times);
 }
 
-std::vector<NodeId> PoseGraph::KeepReady(const std::vector<NodeId>& node_ids,
-                                         const Topology& topology) {
-  std::vector<NodeId> ready;
-  for (const NodeId& id : node_ids) {
-    const SubmapId* const own_id = topology.OldestSubmapOf(id);
-    if (own_id == nullptr) continue;
-    const bool finished = graph_.submaps.at(*own_id).submap->finished;
-    (finished ? ready : to_search_).push_back(id);
+void PoseGraph::SearchEverywhere(const Nodes& recognizable, const Topology& topology) {
+  const int patience = options_.candidates().search_all_after_nodes();
+  if (patience == 0) return;
+  for (const NodeId& node_id : recognizable) {
+    const auto outcome = outcome_of_node_.find(node_id);
+    const bool found =
+        outcome != outcome_of_node_.end() && outcome->second == VerdictName(Verdict::kAccepted);
+    not_recognized_ = found ? 0 : not_recognized_ + 1;
+    if (not_recognized_ < patience || IsTied(node_id.trajectory_id)) continue;
+    not_recognized_ = 0;
+    const auto candidate =
+        search_.FindAnywhere(node_id, *topology.OldestSubmapOf(node_id),
+                             finder_.Uncertain(node_id, graph_, topology), graph_);
+    if (candidate.has_value()) Book(search_.Search({*candidate}, graph_));
   }
-  searched_.insert(ready.begin(), ready.end());
-  return ready;
-}
-
-PlaceDescriptor PoseGraph::Describe(const SubmapId& submap_id, const Topology& topology) const {
-  const Submap& submap = *graph_.submaps.at(submap_id).submap;
-  const PlacedNode& middle = graph_.nodes.at(*topology.MiddleNode(submap_id));
-  const transform::Rigid3d submap_from_middle =
-      submap.local_from_submap.inverse() * middle.local_from_node;
-  return describer_.Describe({{submap.cloud, transform::Rigid3d::Identity()}},
-                             submap_from_middle.translation().head<2>());
-}
-
-void PoseGraph::DescribeFinishedSubmaps(const Topology& topology) {
-  std::vector<SubmapId> ids;
-  for (const auto& [id, placed] : graph_.submaps) {
-    if (!placed.submap->finished || topology.MiddleNode(id) == nullptr) continue;
-    if (described_.insert(id).second) ids.push_back(id);
-  }
-  std::vector<PlaceDescriptor> descriptors(ids.size());
-  common::ParallelChunks(ids.size(), 1,
-                         [&](size_t i, size_t) { descriptors[i] = Describe(ids[i], topology); });
-  for (size_t i = 0; i < ids.size(); ++i) places_.Add(ids[i], descriptors[i]);
-}
-
-std::vector<ClosureCandidate> PoseGraph::FindCandidates(const std::vector<NodeId>& node_ids,
-                                                        const Topology& topology) const {
-  std::vector<std::vector<ClosureCandidate>> by_node(node_ids.size());
-  common::ParallelChunks(node_ids.size(), 1, [&](size_t i, size_t) {
-    by_node[i] = CandidatesOf(node_ids[i], topology);
-  });
-  std::vector<ClosureCandidate> candidates;
-  for (const auto& of_node : by_node) {
-    candidates.insert(candidates.end(), of_node.begin(), of_node.end());
-  }
-  return candidates;
-}
-
-std::vector<ClosureCandidate> PoseGraph::CandidatesOf(const NodeId& node_id,
-                                                      const Topology& topology) const {
-  const proto::CandidateOptions& options = options_.candidates();
-  const std::vector<OtherVisit> visits =
-      FindOtherVisits(node_id, options.min_travel_m(), graph_, topology);
-  std::vector<ClosureCandidate> candidates =
-      NearbyCandidates(node_id, visits, options, graph_, topology);
-  const std::vector<ClosureCandidate> proposed = ProposedCandidates(
-      node_id, UncertainVisits(node_id, visits, options, graph_, topology), topology);
-  candidates.insert(candidates.end(), proposed.begin(), proposed.end());
-  return candidates;
-}
-
-std::vector<ClosureCandidate> PoseGraph::ProposedCandidates(const NodeId& node_id,
-                                                            const std::vector<SubmapId>& among,
-                                                            const Topology& topology) const {
-  if (among.empty()) return {};
-  // Place recognition compares submaps, which show more than a scan: the node's own stands for it.
-  const SubmapId& own_id = *topology.OldestSubmapOf(node_id);
-  const scan_matching::PlanarPose own_from_node =
-      scan_matching::InPlane(graph_.submaps.at(own_id).submap->local_from_submap.inverse() *
-                             transform::Level(graph_.nodes.at(node_id).local_from_node));
-  const std::set<SubmapId> allowed(among.begin(), among.end());
-  std::vector<ClosureCandidate> candidates;
-  for (const PlaceCandidate& place :
-       places_.Find(Describe(own_id, topology), options_.candidates().max_places(),
-                    [&](const SubmapId& id) { return allowed.count(id) > 0; })) {
-    candidates.push_back(CandidateAtPlace(node_id, place, own_from_node, options_.candidates()));
-  }
-  return candidates;
 }
 
 void PoseGraph::Book(const std::vector<SearchedCandidate>& results) {
   for (const SearchedCandidate& result : results) {
-    if (result.verdict == VerdictName(Verdict::kAccepted)) {
+    std::string& outcome = outcome_of_node_[result.closure.constraint.node_id];
+    const bool accepted = result.verdict == VerdictName(Verdict::kAccepted);
+    if (accepted || outcome.empty() || outcome == "no_match") outcome = result.verdict;
+    if (accepted) {
       waiting_.push_back(result.closure);
     } else {
       ++verdicts_[result.verdict];
     }
+  }
+}
+
+void PoseGraph::NoteOutcomes(const Nodes& nearby, const Nodes& recognizable) {
+  std::set<NodeId> all(nearby.begin(), nearby.end());
+  all.insert(recognizable.begin(), recognizable.end());
+  searched_.insert(all.begin(), all.end());
+  const std::set<NodeId> by_place(recognizable.begin(), recognizable.end());
+  last_outcomes_.clear();
+  for (const NodeId& id : all) {
+    const auto outcome = outcome_of_node_.find(id);
+    last_outcomes_.push_back({id,
+                              outcome == outcome_of_node_.end() ? "no_candidate" : outcome->second,
+                              by_place.count(id) > 0});
   }
 }
 
@@ -212,6 +240,7 @@ bool PoseGraph::AcceptAgreed(const Topology& topology) {
 }
 
 void PoseGraph::Accept(const Closure& closure) {
+  JoinGroups(closure.constraint, &graph_);
   closures_.push_back(closure);
   graph_.constraints.push_back(closure.constraint);
   closed_nodes_.insert(closure.constraint.node_id);
@@ -219,6 +248,7 @@ void PoseGraph::Accept(const Closure& closure) {
 }
 
 void PoseGraph::ForgetLonely(const Topology& topology) {
+  if (!last_node_.has_value()) return;
   const double driven_m = topology.DrivenTo(*last_node_);
   std::vector<Closure> still_waiting;
   for (const Closure& closure : waiting_) {
@@ -235,16 +265,59 @@ void PoseGraph::ForgetLonely(const Topology& topology) {
 
 void PoseGraph::Optimize() {
   OptimizeGraph(options_.optimization(), &graph_);
+  if (!last_node_.has_value()) return;
   const PlacedNode& last = graph_.nodes.at(*last_node_);
   map_from_local_ = last.map_from_node * last.local_from_node.inverse();
 }
 
-std::vector<NodeId> PoseGraph::NodesWithoutClosure() const {
-  std::vector<NodeId> node_ids;
+PoseGraph::Nodes PoseGraph::NodesWithoutClosure() const {
+  Nodes node_ids;
   for (const NodeId& id : searched_) {
     if (closed_nodes_.count(id) == 0) node_ids.push_back(id);
   }
   return node_ids;
+}
+
+bool PoseGraph::IsTied(int trajectory_id) const {
+  return std::any_of(graph_.constraints.begin(), graph_.constraints.end(),
+                     [=](const Constraint& constraint) {
+                       const bool has_node = constraint.node_id.trajectory_id == trajectory_id;
+                       const bool has_submap = constraint.submap_id.trajectory_id == trajectory_id;
+                       return has_node != has_submap;
+                     });
+}
+
+void PoseGraph::TrimBefore(const NodeId& first_kept) {
+  pose_graph::TrimBefore(first_kept, &graph_);
+  Prune();
+}
+
+void PoseGraph::RemoveTrajectory(int trajectory_id) {
+  pose_graph::RemoveTrajectory(trajectory_id, &graph_);
+  if (last_node_.has_value() && last_node_->trajectory_id == trajectory_id) {
+    last_node_.reset();
+    map_from_local_ = transform::Rigid3d::Identity();
+    not_recognized_ = 0;
+  }
+  Prune();
+}
+
+void PoseGraph::Prune() {
+  const auto gone = [this](const NodeId& id) { return graph_.nodes.count(id) == 0; };
+  const auto dangles = [&](const Closure& closure) {
+    return gone(closure.constraint.node_id) ||
+           graph_.submaps.count(closure.constraint.submap_id) == 0;
+  };
+  RemoveIf(&waiting_, dangles);
+  RemoveIf(&closures_, dangles);
+  RemoveIf(&to_search_, gone);
+  for (auto* nodes : {&searched_, &closed_nodes_}) {
+    for (auto it = nodes->begin(); it != nodes->end();) it = gone(*it) ? nodes->erase(it) : ++it;
+  }
+  for (auto it = to_recognize_.begin(); it != to_recognize_.end();) {
+    it = gone(it->first) ? to_recognize_.erase(it) : std::next(it);
+  }
+  finder_.Forget(graph_);
 }
 
 }  // namespace cartographer::pose_graph

@@ -29,10 +29,13 @@ POSE_GRAPH = {
     place_window_above_m = 6.0,
     place_linear_m = 8.0,
     place_angular_deg = 12.0,
+    search_all_after_nodes = 0,
   },
   place_recognition = PLACE_RECOGNITION,
   scan_matching = SCAN_MATCHING,
   min_score = 0.25,
+  verify_in = "space",
+  planar_closure = { sigma_m = 0.1, sigma_deg = 0.3 },
   verification = CLOSURE_VERIFICATION,
   joined_neighbours = 1,
   agreement = {

@@ -6,6 +6,7 @@
 include "defaults/dataset.lua"
 include "defaults/map_image.lua"
 include "defaults/pose_graph.lua"
+include "defaults/relocalization.lua"
 include "defaults/semantic_kiss_builder.lua"
 
 RUN = {
@@ -17,4 +18,5 @@ RUN = {
   },
   map_image = MAP_IMAGE,
   pose_graph = POSE_GRAPH,
+  relocalization = RELOCALIZATION,
 }

@@ -23,6 +23,9 @@ DEFINE_string(
     "True trajectory in KITTI's format, 12 numbers a line. For \"run\" the data set's own "
     "by default.");
 DEFINE_string(hide, "", "Labels that are left out, separated by commas: car,truck.");
+DEFINE_string(initial_pose, "",
+              "About where the first scan was taken: x, y in metres and the heading in degrees, as "
+              "the map has them from above. Without it all of the map is searched.");
 DEFINE_bool(json, false, "Print JSON for scripts instead of text for people.");
 DEFINE_string(keep, "", "Labels to keep, separated by commas: all others are removed.");
 DEFINE_string(keep_role, "",
@@ -37,6 +40,9 @@ DEFINE_string(labels_dir, "",
 DEFINE_double(length, 0., "Length of a synthetic route in metres.");
 DEFINE_string(lidar, "", "The lidar: hdl64, os1_128, vlp16, or another one of the configuration.");
 DEFINE_string(map, "", "Map to read.");
+DEFINE_string(map_ground_truth, "",
+              "Folder of the sequence that the map was made from: its poses.txt, times.txt and "
+              "calib.txt tell where the map's places really are, in the world of --ground_truth.");
 DEFINE_int32(min_hits, 0, "Remove cells of a submap that fewer points of a label hit.");
 DEFINE_bool(node_clouds, false,
             "Take the points of the nodes, which know intensities, not those of the submaps.");
@@ -83,6 +89,8 @@ const std::vector<FlagInfo>& Flags() {
       {"lidar", "NAME", G::kInput, V::kText, "as configured"},
       {"calib", "FILE", G::kInput, V::kFile},
       {"labels_dir", "DIR", G::kInput, V::kDirectory, "labels, if there are any"},
+      {"map_ground_truth", "DIR", G::kInput, V::kDirectory},
+      {"initial_pose", "X,Y,DEG", G::kInput, V::kText, "anywhere"},
       {"first_scan", "N", G::kSelection, V::kNumber, "the first", 0.},
       {"num_scans", "N", G::kSelection, V::kNumber, "all", 0.},
       {"length", "M", G::kSelection, V::kNumber, "as configured", 0.},

@@ -55,6 +55,7 @@ std::string ProgressBar(const Progress& progress, int width) {
   if (progress.error_m.has_value()) {
     parts.push_back(absl::StrFormat("error %.2f m", *progress.error_m));
   }
+  if (!progress.note.empty()) parts.insert(parts.begin() + 1, progress.note);
   std::string line = absl::StrJoin(parts, " ");
   while (parts.size() > 1 && static_cast<int>(line.size()) >= width) {
     parts.pop_back();
@@ -70,6 +71,7 @@ std::string ProgressLine(const Progress& progress) {
                                      progress.total, Rate(progress), TimeLeft(progress));
   if (progress.error_m.has_value())
     absl::StrAppendFormat(&line, ", error %.2f m", *progress.error_m);
+  if (!progress.note.empty()) absl::StrAppend(&line, ", ", progress.note);
   return line;
 }
 
@@ -84,8 +86,9 @@ ProgressReporter::ProgressReporter(Mode mode, const Terminal& terminal, int tota
   progress_.total = total;
 }
 
-void ProgressReporter::Update(int done, std::optional<double> error_m) {
+void ProgressReporter::Update(int done, std::optional<double> error_m, const std::string& note) {
   progress_.done = done;
+  progress_.note = note;
   progress_.error_m = error_m;
   const double now_s = now_s_();
   progress_.elapsed_s = now_s - started_s_;

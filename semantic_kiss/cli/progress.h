@@ -20,6 +20,8 @@ struct Progress {
   double elapsed_s = 0.;
   // Distance of the current pose from ground truth, if there is any.
   std::optional<double> error_m;
+  // What else is to be told, a few words; may be empty.
+  std::string note = {};
 };
 
 // One line for a terminal of `width` columns, shorter than it: a bar, per cent, count, time left,
@@ -49,7 +51,7 @@ class ProgressReporter {
   ~ProgressReporter();
 
   // To be called after every scan; prints only when enough time went by since the last time.
-  void Update(int done, std::optional<double> error_m);
+  void Update(int done, std::optional<double> error_m, const std::string& note = {});
 
   // Prints where things ended; ends the line of a bar.
   void Finish();

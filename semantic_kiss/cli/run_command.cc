@@ -5,18 +5,16 @@
 
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
 #include "cartographer/pose_graph/pose_graph.h"
-#include "cartographer/slam/local_trajectory_builder_registry.h"
 #include "cartographer/slam/map_builder.h"
-#include "gflags/gflags.h"
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/configuration.h"
 #include "semantic_kiss/cli/drive.h"
+#include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
 #include "semantic_kiss/cli/output_directory.h"
 #include "semantic_kiss/cli/progress.h"
@@ -25,46 +23,18 @@
 #include "semantic_kiss/cli/run_result.h"
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/cli/terminal.h"
-#include "semantic_kiss/dataset/prefetching_scan_source.h"
-#include "semantic_kiss/dataset/semantic_kitti_source.h"
-#include "semantic_kiss/local_trajectory_builder.h"
 
 namespace semantic_kiss::cli {
 namespace {
 
 using cartographer::slam::MapBuilder;
 
-dataset::ScanRange SelectedScans() {
-  dataset::ScanRange range;
-  if (!gflags::GetCommandLineFlagInfoOrDie("first_scan").is_default) range.first = FLAGS_first_scan;
-  if (FLAGS_num_scans > 0) range.count = FLAGS_num_scans;
-  return range;
-}
-
-absl::StatusOr<std::unique_ptr<dataset::ScanSource>> OpenScans(const Configuration& configuration) {
-  ASSIGN_OR_RETURN(std::unique_ptr<dataset::ScanSource> scans,
-                   dataset::OpenSemanticKitti(
-                       {FLAGS_dataset, FLAGS_sequence, FLAGS_labels_dir, FLAGS_ground_truth},
-                       SelectedScans(), configuration.options.dataset(), configuration.labels));
-  return std::make_unique<dataset::PrefetchingScanSource>(std::move(scans));
-}
-
 absl::StatusOr<std::unique_ptr<MapBuilder>> MakeMapBuilder(const Configuration& configuration) {
-  cartographer::slam::LocalTrajectoryBuilderRegistry registry;
-  RegisterLocalTrajectoryBuilder(&registry);
-  ASSIGN_OR_RETURN(auto builder, registry.Create(configuration.options.local_trajectory_builder(),
-                                                 configuration.labels));
+  ASSIGN_OR_RETURN(auto builder, MakeLocalTrajectoryBuilder(configuration));
   ASSIGN_OR_RETURN(auto pose_graph, cartographer::pose_graph::PoseGraph::Create(
                                         configuration.options.pose_graph(), configuration.labels));
   return std::make_unique<MapBuilder>(std::move(builder), std::move(pose_graph),
                                       configuration.labels);
-}
-
-ProgressReporter MakeProgressReporter(int num_scans) {
-  const Terminal terminal = Terminal::Of(STDERR_FILENO);
-  auto mode = terminal.interactive ? ProgressReporter::Mode::kBar : ProgressReporter::Mode::kLines;
-  if (FLAGS_quiet) mode = ProgressReporter::Mode::kSilent;
-  return ProgressReporter(mode, terminal, num_scans, &SteadySeconds, &std::cerr);
 }
 
 absl::Status Stopped(const DriveRecord& drive, const dataset::ScanSource& scans) {

@@ -13,15 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json Stages(const StageTimes& times) {
-  Json stages = Json::object();
-  for (const auto& [stage, summary] : times.Summaries()) {
-    stages[stage] = {
-        {"median_ms", summary.median_ms}, {"p95_ms", summary.p95_ms}, {"total_s", summary.total_s}};
-  }
-  return stages;
-}
-
 Json UnknownLabelIds(const dataset::UnknownLabelIds& ids) {
   Json json = Json::object();
   for (const auto& [id, num_points] : ids) json[std::to_string(id)] = num_points;
@@ -44,7 +35,7 @@ Json RunJson(const RunResult& result) {
   json["scans"] = drive.num_scans;
   json["scans_available"] = result.scans_available;
   json["scan_points"] = drive.num_points;
-  json["stages"] = Stages(drive.stage_times);
+  json["stages"] = ToJson(drive.stage_times);
   json["scans_per_second"] =
       drive.elapsed_s > 0. ? Json(drive.num_scans / drive.elapsed_s) : Json();
   json["peak_memory_mib"] = PeakMemory_mib();

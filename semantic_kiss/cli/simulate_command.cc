@@ -1,8 +1,6 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <unistd.h>
-
 #include <iostream>
 #include <memory>
 
@@ -13,10 +11,9 @@
 #include "cartographer/io/atomic_file.h"
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/configuration.h"
+#include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
-#include "semantic_kiss/cli/progress.h"
 #include "semantic_kiss/cli/stop_signals.h"
-#include "semantic_kiss/cli/terminal.h"
 #include "semantic_kiss/simulation/preview.h"
 #include "semantic_kiss/simulation/scan_preview.h"
 #include "semantic_kiss/simulation/simulation.h"
@@ -71,19 +68,12 @@ absl::Status Preview(const Simulation& drive) {
   return simulation::DrawScanPreview(drive, FLAGS_preview_scan, labels, FLAGS_preview);
 }
 
-ProgressReporter MakeReporter(int num_scans) {
-  const Terminal terminal = Terminal::Of(STDERR_FILENO);
-  auto mode = terminal.interactive ? ProgressReporter::Mode::kBar : ProgressReporter::Mode::kLines;
-  if (FLAGS_quiet) mode = ProgressReporter::Mode::kSilent;
-  return ProgressReporter(mode, terminal, num_scans, &SteadySeconds, &std::cerr);
-}
-
 absl::Status WriteScans(const Simulation& drive) {
   simulation::WriteRequest request;
   request.directory = FLAGS_output;
   request.sequence = FLAGS_sequence;
   request.num_scans = FLAGS_num_scans;
-  ProgressReporter progress = MakeReporter(simulation::ScansToWrite(drive, request));
+  ProgressReporter progress = MakeProgressReporter(simulation::ScansToWrite(drive, request));
   StopInGoodOrder();
   RETURN_IF_ERROR(simulation::WriteSequence(drive, request, [&](int done) {
     progress.Update(done, std::nullopt);

@@ -40,4 +40,13 @@ std::vector<std::pair<std::string, StageSummary>> StageTimes::Summaries() const 
   return summaries;
 }
 
+nlohmann::ordered_json ToJson(const StageTimes& times) {
+  auto stages = nlohmann::ordered_json::object();
+  for (const auto& [stage, summary] : times.Summaries()) {
+    stages[stage] = {
+        {"median_ms", summary.median_ms}, {"p95_ms", summary.p95_ms}, {"total_s", summary.total_s}};
+  }
+  return stages;
+}
+
 }  // namespace semantic_kiss::cli

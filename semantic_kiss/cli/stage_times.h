@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "nlohmann/json.hpp"
+
 namespace semantic_kiss::cli {
 
 // What a stage took over a run.
@@ -31,6 +33,9 @@ class StageTimes {
  private:
   std::vector<std::pair<std::string, std::vector<double>>> durations_ms_;
 };
+
+// {stage: {median_ms, p95_ms, total_s}}.
+nlohmann::ordered_json ToJson(const StageTimes& times);
 
 }  // namespace semantic_kiss::cli
 
