@@ -58,11 +58,11 @@ void CandidateFinder::Forget(const Graph& graph) {
 
 PlaceDescriptor CandidateFinder::DescribeOne(const SubmapId& submap_id, const Graph& graph,
                                              const Topology& topology) const {
-  const submap::Submap& submap = *graph.submaps.at(submap_id).submap;
+  const submap::PlacedSubmap& placed = graph.submaps.at(submap_id);
   const submap::PlacedNode& middle = graph.nodes.at(*topology.MiddleNode(submap_id));
   const transform::Rigid3d submap_from_middle =
-      submap.local_from_submap.inverse() * middle.local_from_node;
-  return describer_.Describe({{submap.cloud, transform::Rigid3d::Identity()}},
+      placed.map_from_submap.inverse() * middle.map_from_node;
+  return describer_.Describe({{placed.submap->cloud, transform::Rigid3d::Identity()}},
                              submap_from_middle.translation().head<2>());
 }
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "cartographer/common/parallel.h"
+#include "cartographer/pose_graph/trajectory_groups.h"
 #include "cartographer/pose_graph/verify_closure.h"
 #include "cartographer/scan_matching/planar_pose.h"
 #include "cartographer/scan_matching/refine_in_plane.h"
@@ -34,6 +36,38 @@ constexpr size_t kBytesPerMiB = size_t{1} << 20;
 // What turns the node's frame upright, by the odometry's idea of upright.
 Rigid3d LevelFromNode(const submap::PlacedNode& node) {
   return transform::Level(node.local_from_node).inverse() * node.local_from_node;
+}
+
+// What turns the node's frame upright in the submap's, by the map's idea of both.
+Rigid3d LevelFromNode(const submap::PlacedNode& node, const submap::PlacedSubmap& submap) {
+  const Rigid3d submap_from_node = submap.map_from_submap.inverse() * node.map_from_node;
+  return transform::Level(submap_from_node).inverse() * submap_from_node;
+}
+
+// The same where nothing ties the node to the submap, so that their ideas of upright, which are
+// those of the first scans of their drives, may differ: as the submap's own drive stood nearby, on
+// the same ground.
+Rigid3d LevelFromVisitor(const Rigid3d& submap_from_level, const SubmapId& submap_id,
+                         const Graph& graph) {
+  const Rigid3d submap_from_map = graph.submaps.at(submap_id).map_from_submap.inverse();
+  Rigid3d nearest;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const submap::Constraint& constraint : graph.constraints) {
+    if (constraint.kind != submap::Constraint::Kind::kIntraSubmap) continue;
+    if (!(constraint.submap_id == submap_id)) continue;
+    const Rigid3d host = submap_from_map * graph.nodes.at(constraint.node_id).map_from_node;
+    const double distance_m =
+        (host.translation() - submap_from_level.translation()).head<2>().norm();
+    if (distance_m >= nearest_m) continue;
+    nearest_m = distance_m;
+    nearest = host;
+  }
+  if (std::isinf(nearest_m)) return Rigid3d::Identity();
+  const double turn =
+      transform::Yaw(submap_from_level.rotation()) - transform::Yaw(nearest.rotation());
+  const Eigen::Quaterniond turned =
+      nearest.rotation() * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ());
+  return Rigid3d({0., 0., 0.}, submap_from_level.rotation().inverse() * turned);
 }
 
 sensor::LabeledPointCloud Moved(sensor::LabeledPointCloud cloud, const Rigid3d& to_from_cloud) {
@@ -88,9 +122,15 @@ void ClosureSearch::SearchSome(const std::vector<ClosureCandidate>& candidates, 
   const Targets targets = MakeTargets(candidates, graph);
   const size_t first = results->size();
   results->resize(first + candidates.size());
+  TrajectoryGroups groups(graph);
+  std::vector<char> tied;
+  for (const ClosureCandidate& candidate : candidates) {
+    tied.push_back(groups.FirstOf(candidate.node_id.trajectory_id) ==
+                   groups.FirstOf(candidate.submap_id.trajectory_id));
+  }
   common::ParallelChunks(candidates.size(), 1, [&](size_t i, size_t) {
     (*results)[first + i] = SearchOne(candidates[i], *scans.at(candidates[i].node_id),
-                                      *targets.at(candidates[i].submap_id), graph);
+                                      *targets.at(candidates[i].submap_id), tied[i] != 0, graph);
   });
 }
 
@@ -132,7 +172,7 @@ std::shared_ptr<const ClosureTarget> ClosureSearch::MakeTarget(const SubmapId& s
 
 SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
                                            const MatchingScan& scan, const ClosureTarget& target,
-                                           const Graph& graph) {
+                                           bool tied, const Graph& graph) {
   SearchedCandidate result;
   Closure& closure = result.closure;
   closure.by_place_recognition = candidate.by_place_recognition;
@@ -159,9 +199,12 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
     return result;
   }
   const submap::PlacedNode& node = graph.nodes.at(candidate.node_id);
-  const ClosureReport report = VerifyClosure(
-      *node.cloud, scan_matching::InSpace(refined.submap_from_node) * LevelFromNode(node), target,
-      options_.verification());
+  const Rigid3d submap_from_level = scan_matching::InSpace(refined.submap_from_node);
+  const Rigid3d level_from_node =
+      tied ? LevelFromNode(node, graph.submaps.at(candidate.submap_id))
+           : LevelFromVisitor(submap_from_level, candidate.submap_id, graph);
+  const ClosureReport report = VerifyClosure(*node.cloud, submap_from_level * level_from_node,
+                                             target, options_.verification());
   result.verdict = std::string(VerdictName(report.verdict));
   closure.overlap = report.overlap;
   closure.inlier_ratio = report.inlier_ratio;

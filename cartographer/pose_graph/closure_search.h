@@ -65,7 +65,7 @@ class ClosureSearch {
                                                   const Graph& graph) const;
   SearchedCandidate SearchOne(const ClosureCandidate& candidate,
                               const scan_matching::MatchingScan& scan, const ClosureTarget& target,
-                              const Graph& graph);
+                              bool tied, const Graph& graph);
   void VerifyInPlane(const scan_matching::PlanarRefinement& refined, const Graph& graph,
                      Closure* closure) const;
 

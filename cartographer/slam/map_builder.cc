@@ -5,22 +5,18 @@
 
 #include <utility>
 
+#include "cartographer/slam/graph_of_map.h"
 #include "glog/logging.h"
 
 namespace cartographer::slam {
-namespace {
-
-// One drive, one trajectory.
-constexpr int kTrajectoryId = 0;
-
-}  // namespace
 
 MapBuilder::MapBuilder(std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder,
                        std::unique_ptr<pose_graph::PoseGraph> pose_graph,
-                       const sensor::LabelSet& labels)
+                       const sensor::LabelSet& labels, int trajectory_id)
     : local_trajectory_builder_(std::move(local_trajectory_builder)),
       pose_graph_(std::move(pose_graph)),
-      labels_(labels) {
+      labels_(labels),
+      trajectory_id_(trajectory_id) {
   CHECK(local_trajectory_builder_ != nullptr);
   CHECK(pose_graph_ != nullptr);
 }
@@ -30,7 +26,7 @@ LocalResult MapBuilder::AddScan(const sensor::LabeledScan& scan) {
   LocalResult result = local_trajectory_builder_->AddScan(scan);
   if (result.insertion.has_value()) AddNode(&result);
   CHECK_GT(num_nodes_, 0);
-  const submap::NodeId node_id{kTrajectoryId, num_nodes_ - 1};
+  const submap::NodeId node_id{trajectory_id_, num_nodes_ - 1};
   const submap::PlacedNode& node = pose_graph_->graph().nodes.at(node_id);
   scan_poses_.push_back({scan.time, result.local_from_sensor, node_id,
                          node.local_from_node.inverse() * result.local_from_sensor});
@@ -38,7 +34,7 @@ LocalResult MapBuilder::AddScan(const sensor::LabeledScan& scan) {
 }
 
 void MapBuilder::AddNode(LocalResult* result) {
-  const submap::NodeId node_id{kTrajectoryId, num_nodes_++};
+  const submap::NodeId node_id{trajectory_id_, num_nodes_++};
   pose_graph_->AddNode(node_id,
                        {result->time, {}, result->local_from_sensor, result->insertion->cloud},
                        result->insertion->submaps, &result->stage_times);
@@ -47,13 +43,8 @@ void MapBuilder::AddNode(LocalResult* result) {
 map::Map MapBuilder::Finish(std::vector<common::StageTime>* stage_times) {
   local_trajectory_builder_->Finish();
   pose_graph_->Finish(stage_times);
-  pose_graph::Graph graph = pose_graph_->Release();
-  map::Map map;
-  map.submaps = std::move(graph.submaps);
-  map.nodes = std::move(graph.nodes);
-  map.constraints = std::move(graph.constraints);
-  map.labels = labels_;
-  return map;
+  tied_ = pose_graph_->IsTied(trajectory_id_);
+  return MapOf(pose_graph_->Release(), labels_);
 }
 
 std::vector<transform::Rigid3d> PlaceScans(const map::Map& map,

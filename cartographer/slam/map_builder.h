@@ -29,9 +29,11 @@ struct ScanPose {
 // submaps the pose graph. Without loop closures the map frame is the local frame.
 class MapBuilder {
  public:
-  // Neither may be null (CHECKed).
+  // Neither may be null (CHECKed). The drive becomes the trajectory `trajectory_id`; the pose graph
+  // may hold others.
   MapBuilder(std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder,
-             std::unique_ptr<pose_graph::PoseGraph> pose_graph, const sensor::LabelSet& labels);
+             std::unique_ptr<pose_graph::PoseGraph> pose_graph, const sensor::LabelSet& labels,
+             int trajectory_id = 0);
 
   // Scans must come with increasing time (CHECKed). The first scan must become a node (CHECKed).
   LocalResult AddScan(const sensor::LabeledScan& scan);
@@ -40,6 +42,10 @@ class MapBuilder {
   // What the last loop closures took is appended to `stage_times`. No other call may follow but
   // those of the const members.
   map::Map Finish(std::vector<common::StageTime>* stage_times);
+
+  int trajectory_id() const { return trajectory_id_; }
+  // Whether a closure ties the drive to another trajectory.
+  bool IsTied() const { return tied_; }
 
   // One entry for each scan so far.
   const std::vector<ScanPose>& scan_poses() const { return scan_poses_; }
@@ -54,6 +60,8 @@ class MapBuilder {
   const std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder_;
   const std::unique_ptr<pose_graph::PoseGraph> pose_graph_;
   const sensor::LabelSet labels_;
+  const int trajectory_id_;
+  bool tied_ = false;
   int num_nodes_ = 0;
   std::vector<ScanPose> scan_poses_;
 };

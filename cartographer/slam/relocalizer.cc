@@ -7,31 +7,17 @@
 #include <limits>
 #include <utility>
 
+#include "cartographer/slam/graph_of_map.h"
 #include "glog/logging.h"
 
 namespace cartographer::slam {
 namespace {
 
-using pose_graph::Graph;
 using submap::NodeId;
 using transform::Rigid3d;
 
 // Trimming walks through all of the map, so it waits until there is something to gain.
 constexpr double kTrimEvery_m = 10.;
-
-Graph FrozenGraph(const map::Map& map) {
-  Graph graph;
-  graph.submaps = map.submaps;
-  graph.nodes = map.nodes;
-  graph.constraints = map.constraints;
-  for (const auto& [id, node] : map.nodes) graph.frozen_trajectories.insert(id.trajectory_id);
-  for (const auto& [id, submap] : map.submaps) graph.frozen_trajectories.insert(id.trajectory_id);
-  return graph;
-}
-
-int FreeTrajectoryId(const Graph& graph) {
-  return graph.frozen_trajectories.empty() ? 0 : *graph.frozen_trajectories.rbegin() + 1;
-}
 
 }  // namespace
 
@@ -53,9 +39,8 @@ Relocalizer::Relocalizer(const proto::RelocalizationOptions& options, MakeBuilde
       make_builder_(std::move(make_builder)),
       pose_graph_(std::move(pose_graph)) {
   CHECK(pose_graph_ != nullptr);
-  const Graph graph = FrozenGraph(map);
-  pose_graph_->AddMap(graph);
-  trajectory_id_ = FreeTrajectoryId(graph);
+  pose_graph_->AddMap(FrozenGraphOf(map));
+  trajectory_id_ = NextTrajectoryId(map);
   BeginTrajectory();
 }
 

@@ -18,6 +18,7 @@ Command ConfigCommand();
 Command EvaluateCommand();
 Command FilterCommand();
 Command InfoCommand();
+Command MergeCommand();
 Command RelocalizeCommand();
 Command RenderCommand();
 Command RunCommand();

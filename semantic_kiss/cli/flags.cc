@@ -18,6 +18,8 @@ DEFINE_string(dataset, "",
 DEFINE_int32(epoch, 0, "The day: on another one most parked vehicles differ, nothing else.");
 DEFINE_string(estimate, "", "Estimated trajectory in KITTI's format, 12 numbers a line.");
 DEFINE_int32(first_scan, 0, "Number of the scan to begin with.");
+DEFINE_bool(freeze_map, false,
+            "With --map: leave the poses of the map as they are and move the new drive alone.");
 DEFINE_string(
     ground_truth, "",
     "True trajectory in KITTI's format, 12 numbers a line. For \"run\" the data set's own "
@@ -49,6 +51,7 @@ DEFINE_bool(node_clouds, false,
 DEFINE_int32(num_scans, 0, "Number of scans to use.");
 DEFINE_string(output, "",
               "Where results go. Existing results are replaced once new ones are whole.");
+DEFINE_string(other_map, "", "The map that is joined to --map.");
 DEFINE_bool(outside, false, "Remove what is outside of --polygon or --box, not inside.");
 DEFINE_string(polygon, "", "Corners of a polygon in the map: x1,y1,x2,y2,... in metres.");
 DEFINE_string(poses, "", "Drive the way of this file: camera poses in KITTI's format.");
@@ -82,6 +85,7 @@ const std::vector<FlagInfo>& Flags() {
       {"dataset", "DIR", G::kInput, V::kDirectory},
       {"sequence", "NN", G::kInput, V::kText},
       {"map", "FILE", G::kInput, V::kFile},
+      {"other_map", "FILE", G::kInput, V::kFile},
       {"ground_truth", "FILE", G::kInput, V::kFile},
       {"estimate", "FILE", G::kInput, V::kFile},
       {"route", "KIND", G::kInput, V::kText, "as configured"},
@@ -91,6 +95,7 @@ const std::vector<FlagInfo>& Flags() {
       {"labels_dir", "DIR", G::kInput, V::kDirectory, "labels, if there are any"},
       {"map_ground_truth", "DIR", G::kInput, V::kDirectory},
       {"initial_pose", "X,Y,DEG", G::kInput, V::kText, "anywhere"},
+      {"freeze_map", "", G::kSelection, V::kNone},
       {"first_scan", "N", G::kSelection, V::kNumber, "the first", 0.},
       {"num_scans", "N", G::kSelection, V::kNumber, "all", 0.},
       {"length", "M", G::kSelection, V::kNumber, "as configured", 0.},

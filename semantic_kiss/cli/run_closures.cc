@@ -43,15 +43,21 @@ std::map<SubmapId, const Constraint*> AnchorsOf(const Map& map) {
   return anchors;
 }
 
-std::vector<ClosureClaim> ClaimsOf(const std::vector<Closure>& closures, const Map& map,
-                                   const std::vector<ScanPose>& scan_poses) {
+// Absent for closures with drives that were there before: the truth about them is not known.
+std::vector<std::optional<ClosureClaim>> ClaimsOf(const std::vector<Closure>& closures,
+                                                  const Map& map,
+                                                  const std::vector<ScanPose>& scan_poses) {
   const std::map<NodeId, int> scan_of_node = ScanOfNode(scan_poses);
   const std::map<SubmapId, const Constraint*> anchors = AnchorsOf(map);
-  std::vector<ClosureClaim> claims;
+  std::vector<std::optional<ClosureClaim>> claims;
   for (const Closure& closure : closures) {
     const Constraint& anchor = *anchors.at(closure.constraint.submap_id);
-    claims.push_back({scan_of_node.at(anchor.node_id), scan_of_node.at(closure.constraint.node_id),
-                      anchor.submap_from_node.inverse() * closure.constraint.submap_from_node});
+    const auto earlier = scan_of_node.find(anchor.node_id);
+    const auto revisit = scan_of_node.find(closure.constraint.node_id);
+    claims.emplace_back();
+    if (earlier == scan_of_node.end() || revisit == scan_of_node.end()) continue;
+    claims.back() = {earlier->second, revisit->second,
+                     anchor.submap_from_node.inverse() * closure.constraint.submap_from_node};
   }
   return claims;
 }
@@ -59,8 +65,9 @@ std::vector<ClosureClaim> ClaimsOf(const std::vector<Closure>& closures, const M
 }  // namespace
 
 int RunClosures::NumFalse() const {
-  return static_cast<int>(
-      std::count_if(errors.begin(), errors.end(), [](const auto& error) { return error.False(); }));
+  return static_cast<int>(std::count_if(errors.begin(), errors.end(), [](const auto& error) {
+    return error.has_value() && error->False();
+  }));
 }
 
 RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder, const Map& map,
@@ -71,9 +78,14 @@ RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder, co
   if (truth == nullptr) return result;
   const std::vector<ScanPose>& scan_poses = map_builder.scan_poses();
   const std::vector<Rigid3d> driven(truth->begin(), truth->begin() + scan_poses.size());
-  const std::vector<ClosureClaim> claims = ClaimsOf(result.closures, map, scan_poses);
-  result.errors = evaluation::ClosureErrors(claims, driven);
-  result.coverage = evaluation::ComputeRevisitCoverage(claims, driven, {});
+  std::vector<ClosureClaim> own_claims;
+  for (const auto& claim : ClaimsOf(result.closures, map, scan_poses)) {
+    result.errors.emplace_back();
+    if (!claim.has_value()) continue;
+    own_claims.push_back(*claim);
+    result.errors.back() = evaluation::ClosureErrors({*claim}, driven).front();
+  }
+  result.coverage = evaluation::ComputeRevisitCoverage(own_claims, driven, {});
   return result;
 }
 
@@ -81,17 +93,19 @@ Json ClosuresJson(const RunClosures& closures) {
   Json list = Json::array();
   for (size_t i = 0; i < closures.closures.size(); ++i) {
     const Closure& closure = closures.closures[i];
-    const bool known = i < closures.errors.size();
+    const bool known = i < closures.errors.size() && closures.errors[i].has_value();
     list.push_back({{"node", closure.constraint.node_id.node_index},
+                    {"trajectory", closure.constraint.node_id.trajectory_id},
                     {"submap", closure.constraint.submap_id.submap_index},
+                    {"submap_trajectory", closure.constraint.submap_id.trajectory_id},
                     {"by", closure.by_place_recognition ? "place_recognition" : "nearby"},
                     {"score", closure.score},
                     {"overlap", closure.overlap},
                     {"inlier_ratio", closure.inlier_ratio},
                     {"correction_m", closure.correction_m},
                     {"correction_deg", closure.correction_deg},
-                    {"true_error_m", known ? Json(closures.errors[i].distance_m) : Json()},
-                    {"true_error_deg", known ? Json(closures.errors[i].angle_deg) : Json()}});
+                    {"true_error_m", known ? Json(closures.errors[i]->distance_m) : Json()},
+                    {"true_error_deg", known ? Json(closures.errors[i]->angle_deg) : Json()}});
   }
   return list;
 }

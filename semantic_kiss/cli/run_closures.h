@@ -20,8 +20,9 @@ namespace semantic_kiss::cli {
 struct RunClosures {
   std::vector<cartographer::pose_graph::Closure> closures;
   cartographer::pose_graph::VerdictCounts verdicts;
-  // With ground truth, one for each closure; else empty.
-  std::vector<evaluation::ClosureError> errors;
+  // With ground truth, one for each closure, absent if it is with a drive that was there before;
+  // else empty.
+  std::vector<std::optional<evaluation::ClosureError>> errors;
   std::optional<evaluation::RevisitCoverage> coverage;
 
   int NumFalse() const;

@@ -10,12 +10,14 @@
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
 #include "cartographer/pose_graph/pose_graph.h"
+#include "cartographer/slam/graph_of_map.h"
 #include "cartographer/slam/map_builder.h"
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/configuration.h"
 #include "semantic_kiss/cli/drive.h"
 #include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
+#include "semantic_kiss/cli/loaded_map.h"
 #include "semantic_kiss/cli/output_directory.h"
 #include "semantic_kiss/cli/progress.h"
 #include "semantic_kiss/cli/run_files.h"
@@ -27,14 +29,47 @@
 namespace semantic_kiss::cli {
 namespace {
 
+using cartographer::map::Map;
 using cartographer::slam::MapBuilder;
 
-absl::StatusOr<std::unique_ptr<MapBuilder>> MakeMapBuilder(const Configuration& configuration) {
+absl::StatusOr<std::unique_ptr<MapBuilder>> MakeMapBuilder(const Configuration& configuration,
+                                                           const Map* earlier) {
   ASSIGN_OR_RETURN(auto builder, MakeLocalTrajectoryBuilder(configuration));
   ASSIGN_OR_RETURN(auto pose_graph, cartographer::pose_graph::PoseGraph::Create(
                                         configuration.options.pose_graph(), configuration.labels));
+  if (earlier == nullptr) {
+    return std::make_unique<MapBuilder>(std::move(builder), std::move(pose_graph),
+                                        configuration.labels);
+  }
+  pose_graph->AddMap(FLAGS_freeze_map ? cartographer::slam::FrozenGraphOf(*earlier)
+                                      : cartographer::slam::GraphOf(*earlier));
   return std::make_unique<MapBuilder>(std::move(builder), std::move(pose_graph),
-                                      configuration.labels);
+                                      configuration.labels,
+                                      cartographer::slam::NextTrajectoryId(*earlier));
+}
+
+// The map that the drive goes on with; nullptr for a new one.
+absl::StatusOr<std::unique_ptr<const Map>> LoadEarlierMap(const Configuration& configuration) {
+  if (FLAGS_map.empty()) return nullptr;
+  if (configuration.options.pose_graph().optimize_every_n_nodes() == 0) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        "--map needs loop closures to join the drive to it, and ", FLAGS_config,
+        " closes none; take --config=semantic_kiss_6dof.lua or semantic_kiss_loop_closure.lua"));
+  }
+  ASSIGN_OR_RETURN(Map map, LoadMapFor(configuration.labels, FLAGS_map, {}));
+  return std::make_unique<const Map>(std::move(map));
+}
+
+// The history of a map that a drive was added to.
+void Continue(const Map& earlier, int trajectory_id, Map* map) {
+  map->history.insert(map->history.begin(), earlier.history.begin(), earlier.history.end());
+  map->history.back() += absl::StrCat(" run --map: added trajectory ", trajectory_id);
+}
+
+absl::Status NotJoined() {
+  return absl::FailedPreconditionError(absl::StrCat("no place of the drive was recognized in ",
+                                                    FLAGS_map,
+                                                    ", so nothing joins them; nothing is written"));
 }
 
 absl::Status Stopped(const DriveRecord& drive, const dataset::ScanSource& scans) {
@@ -49,7 +84,8 @@ absl::Status Stopped(const DriveRecord& drive, const dataset::ScanSource& scans)
 absl::Status RunRun() {
   ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
   ASSIGN_OR_RETURN(const auto scans, OpenScans(configuration));
-  ASSIGN_OR_RETURN(const auto map_builder, MakeMapBuilder(configuration));
+  ASSIGN_OR_RETURN(const auto earlier, LoadEarlierMap(configuration));
+  ASSIGN_OR_RETURN(const auto map_builder, MakeMapBuilder(configuration, earlier.get()));
   ASSIGN_OR_RETURN(const OutputDirectory directory, OutputDirectory::Create(FLAGS_output));
 
   StopInGoodOrder();
@@ -59,6 +95,10 @@ absl::Status RunRun() {
 
   ASSIGN_OR_RETURN(RunResult result,
                    Conclude(configuration, std::move(drive), *scans, map_builder.get()));
+  if (earlier != nullptr) {
+    if (!map_builder->IsTied()) return NotJoined();
+    Continue(*earlier, map_builder->trajectory_id(), &result.map);
+  }
   RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options.map_image(), &result));
   if (!FLAGS_quiet) {
     std::cout << RunSummary(result, directory.path(), Terminal::Of(STDOUT_FILENO));
@@ -77,12 +117,14 @@ Command RunCommand() {
       "Estimates the trajectory of a sequence in SemanticKITTI's format by semantic KISS-ICP, "
       "builds submaps with a layer for every label, and writes trajectory, map, picture and "
       "report to --output.\n\n"
+      "With --map the drive is added to a map that is there, as a trajectory of its own, joined to "
+      "it where places are recognized. The map's file stays; the result is written to --output.\n\n"
       "Ctrl-C or SIGTERM ends the drive after the current scan; the files are then written for "
       "the scans so far and the exit code is 130 or 143. A second one ends at once and leaves the "
       "files as they were.";
-  command.flags = {{"config"},       {"dataset", true}, {"sequence"},  {"labels_dir"},
-                   {"ground_truth"}, {"first_scan"},    {"num_scans"}, {"output", true},
-                   {"threads"},      {"quiet"}};
+  command.flags = {{"config"},    {"dataset", true}, {"sequence"},     {"labels_dir"},
+                   {"map"},       {"freeze_map"},    {"ground_truth"}, {"first_scan"},
+                   {"num_scans"}, {"output", true},  {"threads"},      {"quiet"}};
   command.files = {
       {"odometry_kitti.txt",
        "Poses as the odometry saw the drive, 12 numbers a line; of the camera "
@@ -97,6 +139,9 @@ Command RunCommand() {
       {"A whole sequence", "run --dataset=kitti/dataset --sequence=00 --output=output/00"},
       {"Labels of a network, the first 100 scans",
        "run --dataset=kitti/dataset --labels_dir=predictions --num_scans=100 --output=output"},
+      {"Another drive through a map that is there, joined to it",
+       "run --config=semantic_kiss_6dof.lua --map=map.pbstream --dataset=data --sequence=01 "
+       "--output=output/both"},
       {"The baseline without labels",
        "run --config=kiss_icp.lua --dataset=kitti/dataset --output=output/kiss_icp"}};
   command.run = &RunRun;
