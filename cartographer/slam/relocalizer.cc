@@ -119,8 +119,8 @@ void Relocalizer::Judge() {
   const bool was_localized = state_ == LocalizationState::kLocalized;
   for (const pose_graph::NodeOutcome& outcome : pose_graph_->last_outcomes()) {
     const bool found = outcome.verdict == "accepted";
-    // While all of the map is searched, only what looked through all of it says anything.
-    if (!was_localized && !found && !outcome.by_place) continue;
+    // Only what looked where it had to says anything: through all of the map, or near the estimate.
+    if (!found && outcome.by_place == was_localized) continue;
     if (!was_localized) state_ = LocalizationState::kSearching;
     failures_ = found ? 0 : failures_ + 1;
     reason_ = found ? "no_agreement" : outcome.verdict;
