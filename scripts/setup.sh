@@ -23,6 +23,7 @@ packages=(
   libgmock-dev
   libgoogle-glog-dev
   libgtest-dev
+  libjs-leaflet
   liblua5.3-dev
   libprotobuf-dev
   libtbb-dev

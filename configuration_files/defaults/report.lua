@@ -6,7 +6,7 @@
 
 REPORT = {
   resolution_m = 0.0,
-  max_side_px = 4096,
+  max_side_px = 3000,
   max_pictures_mb = 9.0,
   tile_side_px = 512,
 }

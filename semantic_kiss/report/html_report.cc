@@ -32,7 +32,7 @@ std::string FiguresHtml(const std::vector<Figure>& figures) {
 std::string Row(const std::vector<std::string>& cells, absl::string_view tag) {
   std::string row = "<tr>";
   for (const std::string& cell : cells) {
-    absl::StrAppend(&row, "<", tag, ">", Escaped(cell), "</", tag, ">");
+    absl::StrAppend(&row, "<", tag, ">", Escaped(cell), "</", tag.substr(0, tag.find(' ')), ">");
   }
   return absl::StrCat(row, "</tr>\n");
 }
