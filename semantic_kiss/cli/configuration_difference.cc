@@ -33,7 +33,8 @@ std::string PathIn(OpenTable* table, absl::string_view key) {
 // keys do not hold quotes.
 std::pair<absl::string_view, absl::string_view> Parts(absl::string_view line) {
   const size_t separator = line.find(" = ");
-  if (separator == absl::string_view::npos || line.find('"') < separator) return {"", line};
+  const size_t value = line.find_first_of("\"{");  // of a list: a string, a table on one line
+  if (separator == absl::string_view::npos || value < separator) return {"", line};
   return {line.substr(0, separator), line.substr(separator + 3)};
 }
 

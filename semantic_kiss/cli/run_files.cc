@@ -33,8 +33,7 @@ absl::Status WriteTrajectories(const OutputDirectory& directory, const RunResult
 
 }  // namespace
 
-absl::Status WriteRunFiles(const OutputDirectory& directory,
-                           const proto::RunOptions& options,
+absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOptions& options,
                            RunResult* result) {
   StageTimes& times = result->drive.stage_times;
   cartographer::common::Stopwatch stopwatch;
@@ -50,8 +49,8 @@ absl::Status WriteRunFiles(const OutputDirectory& directory,
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
   const std::string json = absl::StrCat(RunJson(*result).dump(2), "\n");
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
-  return io::WriteFileAtomically(directory.FileNamed("report.html"), 
-                                  report::Html(RunReport(*result, std::move(layers.front()))));
+  return io::WriteFileAtomically(directory.FileNamed("report.html"),
+                                 report::Html(RunReport(*result, std::move(layers.front()))));
 }
 
 }  // namespace semantic_kiss::cli

@@ -16,8 +16,7 @@ namespace semantic_kiss::cli {
 // map.png, run.json and report.html. Of these the last two alone tell times; all others are the
 // same bytes whenever, and on however many threads, the run is repeated. How long writing took is
 // added to `result`.
-absl::Status WriteRunFiles(const OutputDirectory& directory,
-                           const proto::RunOptions& options,
+absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOptions& options,
                            RunResult* result);
 
 }  // namespace semantic_kiss::cli

@@ -33,6 +33,10 @@ double Driven_m(const RunResult& result) {
   return evaluation::DrivenDistances(result.map_from_lidar).back();
 }
 
+double Seconds(const RunResult& result) {
+  return cartographer::common::ToSeconds(result.times.back() - result.times.front());
+}
+
 void AddAccuracy(const RunResult& result, std::vector<Figure>* figures) {
   if (!result.evaluation.has_value()) return;
   const evaluation::Metrics metrics = evaluation::MetricsOf(*result.evaluation);
@@ -50,7 +54,7 @@ std::vector<Figure> HeadlineFigures(const RunResult& result) {
   const double driven_m = Driven_m(result);
   std::vector<Figure> figures;
   figures.push_back({"Driven", absl::StrFormat("%.2f", driven_m / 1000.), "km",
-                     absl::StrCat(ScansText(result), " scans")});
+                     absl::StrFormat("in %.0f s", Seconds(result))});
   AddAccuracy(result, &figures);
   if (!result.closures.verdicts.empty()) {
     int candidates = 0;
@@ -63,7 +67,7 @@ std::vector<Figure> HeadlineFigures(const RunResult& result) {
         {"Loop closures", absl::StrCat(result.closures.closures.size()), "", std::move(note)});
   }
   figures.push_back({"Speed", absl::StrFormat("%.1f", ScansPerSecond(result.drive)), "scans/s",
-                     absl::StrFormat("%.0f s in all", result.drive.elapsed_s)});
+                     absl::StrFormat("%.0f s for all scans", result.drive.elapsed_s)});
   figures.push_back({"Peak memory", absl::StrFormat("%.0f", PeakMemory_mib()), "MiB",
                      absl::StrFormat("%d submaps, %d nodes", result.map.submaps.size(),
                                      result.map.nodes.size())});
@@ -90,25 +94,33 @@ Table AboutTheRun(const RunResult& result) {
   return table;
 }
 
-std::vector<std::string> AccuracyRow(const char* name, const evaluation::Evaluation& evaluation) {
+// The figures of an evaluation, in the order of AccuracyNames().
+std::vector<std::string> AccuracyFigures(const evaluation::Evaluation& evaluation) {
   const evaluation::Metrics metrics = evaluation::MetricsOf(evaluation);
-  return {name,
-          FigureText(metrics.rte_percent, 3, "%"),
-          FigureText(metrics.rte_deg_per_m, 5, "°/m"),
-          FigureText(metrics.ate_3d_m, 3, "m"),
-          FigureText(metrics.ate_2d_m, 3, "m"),
+  return {FigureText(metrics.rte_percent, 3, "%"), FigureText(metrics.rte_deg_per_m, 5, "°/m"),
+          FigureText(metrics.ate_3d_m, 3, "m"), FigureText(metrics.ate_2d_m, 3, "m"),
           absl::StrFormat("%.3f m, %.2f°", evaluation.final_error.position_error_m,
                           evaluation.final_error.rotation_error_deg)};
 }
 
+std::vector<std::string> AccuracyNames() {
+  return {"RTE, translation", "RTE, rotation", "ATE in space", "ATE in the plane", "last pose off"};
+}
+
 Table Accuracy(const RunResult& result) {
-  Table table{"Accuracy", "", {"", "RTE", "rotation", "ATE-3D", "ATE-2D", "last pose"}, {}};
   if (!result.evaluation.has_value()) {
     return {"Accuracy", "", {}, {{"ground truth", "none"}}};
   }
-  table.rows.push_back(AccuracyRow("map", *result.evaluation));
+  Table table{"Accuracy", "", {"", "map"}, {}};
+  for (const std::string& name : AccuracyNames()) table.rows.push_back({name});
+  const auto add_column = [&](const evaluation::Evaluation& evaluation) {
+    const std::vector<std::string> figures = AccuracyFigures(evaluation);
+    for (size_t i = 0; i < figures.size(); ++i) table.rows[i].push_back(figures[i]);
+  };
+  add_column(*result.evaluation);
   if (!result.closures.closures.empty()) {
-    table.rows.push_back(AccuracyRow("odometry", *result.odometry_evaluation));
+    table.header.push_back("odometry");
+    add_column(*result.odometry_evaluation);
   }
   return table;
 }
@@ -158,8 +170,8 @@ Table StageTable(const StageTimes& times) {
 }
 
 std::vector<Table> ChangedOptions(const RunResult& result) {
-  const auto defaults =
-      LoadConfiguration(absl::StrCat(InstalledConfigurationDirectory(), "/", kDefaultConfiguration));
+  const auto defaults = LoadConfiguration(
+      absl::StrCat(InstalledConfigurationDirectory(), "/", kDefaultConfiguration));
   if (!defaults.ok()) return {};
   Table table{"Changed options",
               absl::StrCat("Where the configuration differs from ", kDefaultConfiguration, "."),
@@ -177,7 +189,7 @@ std::vector<Table> ChangedOptions(const RunResult& result) {
 report::Report RunReport(const RunResult& result, report::MapLayers layers) {
   report::Report report;
   report.title = "A drive of " + absl::StrFormat("%.1f km", Driven_m(result) / 1000.);
-  report.subtitle = absl::StrCat("semantic_kiss ", Version());
+  report.subtitle = absl::StrCat("semantic_kiss ", Version(), ", ", ScansText(result), " scans");
   report.figures = HeadlineFigures(result);
   report.maps.push_back(RunMapView(result, std::move(layers)));
   report.charts = RunCharts(result);

@@ -82,8 +82,8 @@ Chart SegmentChart(const RunResult& result, const Value& value) {
   }
   chart.series.push_back({"map", Role::kTrajectory, values(lengths)});
   if (HasClosures(result)) {
-    chart.series.push_back({"odometry", Role::kOdometry,
-                            values(result.odometry_evaluation->relative->by_length)});
+    chart.series.push_back(
+        {"odometry", Role::kOdometry, values(result.odometry_evaluation->relative->by_length)});
   }
   return chart;
 }

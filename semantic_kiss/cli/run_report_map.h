@@ -9,8 +9,9 @@
 
 namespace semantic_kiss::cli {
 
-// The map of a run with the drive in it, scan by scan: trajectory, odometry, ground truth (aligned),
-// loop closures, and the quantities by which the trajectory is coloured, the error first.
+// The map of a run with the drive in it, scan by scan: trajectory, odometry, ground truth
+// (aligned), loop closures, and the quantities by which the trajectory is coloured, the error
+// first.
 report::MapView RunMapView(const RunResult& result, report::MapLayers layers);
 
 }  // namespace semantic_kiss::cli

@@ -16,8 +16,8 @@ namespace {
 std::string AccuracyLine(const evaluation::Evaluation& evaluation) {
   const evaluation::Metrics metrics = evaluation::MetricsOf(evaluation);
   return absl::StrCat(
-      "RTE ", FigureText(metrics.rte_percent, 3, "%"), ", ATE-3D ", FigureText(metrics.ate_3d_m, 3, "m"),
-      ", ATE-2D ", FigureText(metrics.ate_2d_m, 3, "m"),
+      "RTE ", FigureText(metrics.rte_percent, 3, "%"), ", ATE-3D ",
+      FigureText(metrics.ate_3d_m, 3, "m"), ", ATE-2D ", FigureText(metrics.ate_2d_m, 3, "m"),
       absl::StrFormat(", last pose off by %.3f m", evaluation.final_error.position_error_m));
 }
 
@@ -47,7 +47,8 @@ std::string RunSummary(const RunResult& result, const std::string& directory,
       absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(), result.map.submaps.size()));
   if (!result.closures.verdicts.empty()) add("loops", ClosuresLine(result.closures));
   if (result.evaluation.has_value()) add("accuracy", AccuracyLine(*result.evaluation));
-  if (!result.unknown_label_ids.empty()) add("unlabeled", UnknownLabelsText(result.unknown_label_ids));
+  if (!result.unknown_label_ids.empty())
+    add("unlabeled", UnknownLabelsText(result.unknown_label_ids));
   for (const std::string& note : result.notes) add("note", note);
   // As it is: a path may hold blanks.
   return absl::StrCat(summary, Styled(terminal, Style::kBold, "output"), "    ", directory, "\n");

@@ -38,9 +38,9 @@ std::string Row(const std::vector<std::string>& cells, absl::string_view tag) {
 }
 
 std::string TableHtml(const Table& table) {
-  std::string html = absl::StrCat("<section>\n", Element("h2", table.heading),
-                                  Element("p class=\"note\"", table.note),
-                                  "\n<div class=\"scroll\"><table>\n");
+  std::string html =
+      absl::StrCat("<section>\n", Element("h2", table.heading),
+                   Element("p class=\"note\"", table.note), "\n<div class=\"scroll\"><table>\n");
   if (!table.header.empty()) {
     absl::StrAppend(&html, "<thead>", Row(table.header, "th scope=\"col\""), "</thead>\n");
   }
@@ -52,8 +52,8 @@ std::string TableHtml(const Table& table) {
 // The script draws into the figure; a reader without scripts sees heading and note.
 std::string ChartHtml(const Chart& chart, size_t index) {
   return absl::StrCat("<section class=\"chart\">\n", Element("h2", chart.heading),
-                      Element("p class=\"note\"", chart.note), "\n<div class=\"plot\" id=\"chart-",
-                      index, "\"></div>\n</section>\n");
+                      "<p class=\"note\">", Escaped(chart.note),
+                      "</p>\n<div class=\"plot\" id=\"chart-", index, "\"></div>\n</section>\n");
 }
 
 std::string CodeHtml(const Report& report) {
@@ -77,11 +77,11 @@ std::string Html(const Report& report) {
       {"charts", std::move(charts)},
       {"tables", std::move(tables)},
       {"code", CodeHtml(report)},
-      {"data", JsonForScript(ReportJson(report).dump(-1, ' ', false,
-                                                     Json::error_handler_t::replace))}};
-  for (const char* file : {"leaflet.css", "leaflet.js", "leaflet_license.txt", "page.css",
-                           "colors.js", "map_view.js", "drive.js", "panel.js", "closures.js",
-                           "charts.js", "page.js"}) {
+      {"data",
+       JsonForScript(ReportJson(report).dump(-1, ' ', false, Json::error_handler_t::replace))}};
+  for (const char* file :
+       {"leaflet.css", "leaflet.js", "leaflet_license.txt", "page.css", "colors.js", "map_view.js",
+        "drive.js", "panel.js", "closures.js", "charts.js", "page.js"}) {
     values[file] = PageFile(file);
   }
   return FillTemplate(PageFile("page.html"), values);

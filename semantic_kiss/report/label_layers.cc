@@ -24,9 +24,9 @@ using cartographer::sensor::Label;
 using cartographer::sensor::LabelMask;
 using cartographer::sensor::LabelRole;
 using cartographer::sensor::LabelSet;
+using Take = std::function<void(Label, AlphaImage)>;
 
 constexpr uint8_t kGroundLevel = 11;
-constexpr uint8_t kFilledLevel = 10;
 constexpr uint8_t kUnlabeledLevel = 4;
 constexpr uint8_t kOnlyUnlabeledLevel = 11;
 // Of what stands on the ground: with the median of hits, and per doubling of it.
@@ -34,24 +34,19 @@ constexpr float kMedianLevel = 11.f;
 constexpr float kLevelsPerDoubling = 1.5f;
 constexpr float kMinLevel = 7.f;
 
-std::vector<Label> InStackOrder(const LabelSet& labels, const LabelMask& hidden) {
-  std::vector<Label> order;
-  for (size_t i = 0; i < labels.size(); ++i) {
+SemanticRaster RasterOf(const LabelMask& shown, const Map& map, const RasterFrame& frame) {
+  LabelMask hidden;
+  for (size_t i = 0; i < map.labels.size(); ++i) {
     const Label label{static_cast<uint8_t>(i)};
-    if (!hidden.Contains(label) && label != kUnlabeled) order.push_back(label);
+    if (!shown.Contains(label)) hidden.Insert(label);
   }
-  std::stable_sort(order.begin(), order.end(), [&](Label a, Label b) {
-    return GroupOf(labels, a) < GroupOf(labels, b);
-  });
-  return order;
+  return ComposeRaster(map, hidden, frame);
 }
 
 SemanticRaster RasterOf(Label label, const Map& map, const RasterFrame& frame) {
-  LabelMask others;
-  for (size_t i = 0; i < map.labels.size(); ++i) {
-    if (Label{static_cast<uint8_t>(i)} != label) others.Insert(Label{static_cast<uint8_t>(i)});
-  }
-  return ComposeRaster(map, others, frame);
+  LabelMask shown;
+  shown.Insert(label);
+  return RasterOf(shown, map, frame);
 }
 
 bool Occurs(Label label, const Map& map) {
@@ -59,6 +54,19 @@ bool Occurs(Label label, const Map& map) {
     const std::vector<Label> labels = entry.second.submap->grid.Labels();
     return std::find(labels.begin(), labels.end(), label) != labels.end();
   });
+}
+
+// The labels that the map has and that are not hidden, the lowest first.
+std::vector<Label> InStackOrder(const Map& map, const LabelMask& hidden) {
+  std::vector<Label> order;
+  for (size_t i = 0; i < map.labels.size(); ++i) {
+    const Label label{static_cast<uint8_t>(i)};
+    if (!hidden.Contains(label) && Occurs(label, map)) order.push_back(label);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](Label a, Label b) {
+    return GroupOf(map.labels, a) < GroupOf(map.labels, b);
+  });
+  return order;
 }
 
 // Of the pixels that were hit; 1 if there are none.
@@ -91,17 +99,13 @@ class Beneath {
   std::vector<float> hits_;
 };
 
-// `filled` is `seen` with gaps filled.
-AlphaImage DrawGround(const SemanticRaster& seen, const SemanticRaster& filled, Label label,
-                      Beneath* beneath) {
-  AlphaImage image(seen.frame.width, seen.frame.height);
-  for (size_t i = 0; i < seen.hits.size(); ++i) {
-    if (beneath->IsBeatenBy(label, seen.hits[i], i)) {
-      beneath->Put(label, seen.hits[i], i);
-      image.levels[i] = kGroundLevel;
-    } else if (filled.labels[i] == label && beneath->Bare(i)) {
-      image.levels[i] = kFilledLevel;
-    }
+// What `ground`, all ground labels together with gaps filled, shows of one of them.
+AlphaImage DrawGround(const SemanticRaster& ground, Label label, Beneath* beneath) {
+  AlphaImage image(ground.frame.width, ground.frame.height);
+  for (size_t i = 0; i < ground.hits.size(); ++i) {
+    if (ground.labels[i] != label) continue;
+    if (beneath->IsBeatenBy(label, ground.hits[i], i)) beneath->Put(label, ground.hits[i], i);
+    image.levels[i] = kGroundLevel;
   }
   return image;
 }
@@ -119,15 +123,19 @@ AlphaImage DrawObjects(const SemanticRaster& seen, Label label, Beneath* beneath
   return image;
 }
 
+// Every pixel that was hit becomes a cross of five.
 AlphaImage DrawMarks(const SemanticRaster& seen) {
   AlphaImage image(seen.frame.width, seen.frame.height);
+  const auto mark = [&](int column, int row) {
+    if (column < 0 || row < 0 || column >= image.width || row >= image.height) return;
+    image.Row(row)[column] = kOpaque;
+  };
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       if (seen.hits[seen.IndexOf(column, row)] == 0.f) continue;
-      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, image.height - 1); ++y) {
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, image.width - 1); ++x) {
-          image.Row(y)[x] = kOpaque;
-        }
+      for (const int step : {-1, 0, 1}) {
+        mark(column + step, row);
+        mark(column, row + step);
       }
     }
   }
@@ -142,17 +150,35 @@ AlphaImage DrawUnlabeled(const SemanticRaster& seen, uint8_t level, const Beneat
   return image;
 }
 
-AlphaImage DrawLayer(Label label, const Map& map, const RasterFrame& frame, double fill_gaps_m,
-                     Beneath* beneath) {
-  const SemanticRaster seen = RasterOf(label, map, frame);
-  const LayerGroup group = GroupOf(map.labels, label);
-  if (group == LayerGroup::kCritical) return DrawMarks(seen);
-  if (group != LayerGroup::kGround) return DrawObjects(seen, label, beneath);
-  SemanticRaster filled = seen;
+// All that drawing needs and leaves behind.
+struct Drawing {
+  const Map& map;
+  const RasterFrame& frame;
+  const std::vector<Label> order;
+  Beneath beneath;
+};
+
+void DrawGroundLayers(double fill_gaps_m, Drawing* drawing, const Take& take) {
   LabelMask ground;
-  ground.Insert(label);
-  cartographer::io::FillGaps(ground, fill_gaps_m, &filled);
-  return DrawGround(seen, filled, label, beneath);
+  for (const Label label : drawing->order) {
+    if (GroupOf(drawing->map.labels, label) == LayerGroup::kGround) ground.Insert(label);
+  }
+  if (ground.Empty()) return;
+  SemanticRaster raster = RasterOf(ground, drawing->map, drawing->frame);
+  cartographer::io::FillGaps(ground, fill_gaps_m, &raster);
+  for (const Label label : drawing->order) {
+    if (ground.Contains(label)) take(label, DrawGround(raster, label, &drawing->beneath));
+  }
+}
+
+void DrawStandingLayers(Drawing* drawing, const Take& take) {
+  for (const Label label : drawing->order) {
+    const LayerGroup group = GroupOf(drawing->map.labels, label);
+    if (group == LayerGroup::kGround || group == LayerGroup::kUnlabeled) continue;
+    const SemanticRaster seen = RasterOf(label, drawing->map, drawing->frame);
+    take(label, group == LayerGroup::kCritical ? DrawMarks(seen)
+                                               : DrawObjects(seen, label, &drawing->beneath));
+  }
 }
 
 }  // namespace
@@ -163,7 +189,7 @@ LayerGroup GroupOf(const LabelSet& labels, Label label) {
   if (labels.HasRole(label, LabelRole::kMovable)) return LayerGroup::kMovable;
   if (labels.HasRole(label, LabelRole::kUnlabeled)) return LayerGroup::kUnlabeled;
   if (labels.HasRole(label, LabelRole::kGround)) return LayerGroup::kGround;
-  return LayerGroup::kStructure;
+  return LayerGroup::kStanding;
 }
 
 const char* NameOf(LayerGroup group) {
@@ -172,7 +198,7 @@ const char* NameOf(LayerGroup group) {
       return "Ground";
     case LayerGroup::kUnlabeled:
       return "Unlabeled";
-    case LayerGroup::kStructure:
+    case LayerGroup::kStanding:
       return "Standing";
     case LayerGroup::kMovable:
       return "Movable";
@@ -185,22 +211,21 @@ const char* NameOf(LayerGroup group) {
 }
 
 void DrawLabelLayers(const Map& map, const RasterFrame& frame, const LabelLayersOptions& options,
-                     const std::function<void(Label, AlphaImage)>& take) {
-  Beneath beneath(frame.size());
+                     const Take& take) {
   bool labeled = false;
   const auto take_unless_empty = [&](Label label, AlphaImage image) {
     if (IsEmpty(image)) return;
     labeled = true;
     take(label, std::move(image));
   };
-  for (const Label label : InStackOrder(map.labels, options.hidden)) {
-    if (!Occurs(label, map)) continue;
-    take_unless_empty(label, DrawLayer(label, map, frame, options.fill_gaps_m, &beneath));
-  }
-  if (options.hidden.Contains(kUnlabeled) || !Occurs(kUnlabeled, map)) return;
+  Drawing drawing{map, frame, InStackOrder(map, options.hidden), Beneath(frame.size())};
+  DrawGroundLayers(options.fill_gaps_m, &drawing, take_unless_empty);
+  DrawStandingLayers(&drawing, take_unless_empty);
+  const auto& order = drawing.order;
+  if (std::find(order.begin(), order.end(), kUnlabeled) == order.end()) return;
+  const uint8_t level = labeled ? kUnlabeledLevel : kOnlyUnlabeledLevel;
   take_unless_empty(kUnlabeled,
-                    DrawUnlabeled(RasterOf(kUnlabeled, map, frame),
-                                  labeled ? kUnlabeledLevel : kOnlyUnlabeledLevel, beneath));
+                    DrawUnlabeled(RasterOf(kUnlabeled, map, frame), level, drawing.beneath));
 }
 
 }  // namespace semantic_kiss::report

@@ -14,9 +14,9 @@
 namespace semantic_kiss::report {
 
 // What a label is to somebody who looks at a map, in the order in which layers lie upon each other.
-enum class LayerGroup { kGround, kUnlabeled, kStructure, kMovable, kMoving, kCritical };
+enum class LayerGroup { kGround, kUnlabeled, kStanding, kMovable, kMoving, kCritical };
 
-// The group by the label's roles; of several roles the one of the highest group.
+// The group by the label's roles; of several groups the one that lies highest.
 LayerGroup GroupOf(const cartographer::sensor::LabelSet& labels, cartographer::sensor::Label label);
 // A heading: "Ground", "Movable", ...
 const char* NameOf(LayerGroup group);
@@ -28,20 +28,20 @@ struct LabelLayersOptions {
 
 // Draws a picture for every label that the map's grids saw within `frame`, such that all of them
 // upon each other, by group and then by label, show what was seen most in each pixel (as
-// io::ComposeRaster() does) and that a layer taken away shows what lies beneath:
-//   - a label is drawn where it has more hits than each of the labels that lie below it (as many, if
-//     it is the smaller label),
+// io::ComposeRaster() does), and that without those of what stands on the ground the ground shows:
+//   - ground labels share the ground, gaps between the rings filled, whatever stands there,
+//   - a label of what stands is drawn where it has more hits than each of the labels below it (as
+//     many, if it is the smaller label),
 //   - unlabeled hits are drawn where there are no others,
-//   - gaps between the rings on the ground are filled, whatever stands there,
-//   - critical labels, often a pixel, are drawn wherever they were seen, and one pixel around.
-// More hits, compared with the label's median, make a pixel more opaque.
+//   - critical labels, often a pixel, are drawn wherever they were seen, and on the four pixels
+//     around.
+// More hits, compared with the label's median, make a pixel of what stands more opaque.
 //
-// `take` gets the pictures one after another, since all of them at once would take much memory;
-// kUnlabeled's comes last, the others come in their order, empty ones not at all.
-void DrawLabelLayers(
-    const cartographer::map::Map& map, const cartographer::io::RasterFrame& frame,
-    const LabelLayersOptions& options,
-    const std::function<void(cartographer::sensor::Label, AlphaImage)>& take);
+// `take` gets the pictures one after another, since all of them at once would take much memory:
+// kUnlabeled's last, empty ones not at all.
+void DrawLabelLayers(const cartographer::map::Map& map, const cartographer::io::RasterFrame& frame,
+                     const LabelLayersOptions& options,
+                     const std::function<void(cartographer::sensor::Label, AlphaImage)>& take);
 
 }  // namespace semantic_kiss::report
 

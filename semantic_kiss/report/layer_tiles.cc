@@ -25,15 +25,14 @@ std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_sid
     if (level > 0) image = Halved(image);
     const int across = (image.width + tile_side - 1) / tile_side;
     const int down = (image.height + tile_side - 1) / tile_side;
-    std::vector<LayerTile> found = cartographer::common::ParallelMapChunks<LayerTile>(
-        static_cast<size_t>(across) * down, 1, [&](size_t index, size_t) {
-          LayerTile tile{level, static_cast<int>(index) % across,
-                         static_cast<int>(index) / across, ""};
-          const AlphaImage piece =
-              CutOut(image, tile.column * tile_side, tile.row * tile_side, tile_side);
-          if (!IsEmpty(piece)) tile.png = ToPng(piece, color);
-          return tile;
-        });
+    std::vector<LayerTile> found = cartographer::common::ParallelMapChunks<
+        LayerTile>(static_cast<size_t>(across) * down, 1, [&](size_t index, size_t) {
+      LayerTile tile{level, static_cast<int>(index) % across, static_cast<int>(index) / across, ""};
+      const AlphaImage piece =
+          CutOut(image, tile.column * tile_side, tile.row * tile_side, tile_side);
+      if (!IsEmpty(piece)) tile.png = ToPng(piece, color);
+      return tile;
+    });
     for (LayerTile& tile : found) {
       if (!tile.png.empty()) tiles.push_back(std::move(tile));
     }

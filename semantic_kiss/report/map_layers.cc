@@ -65,15 +65,15 @@ MapLayers Draw(const Subject& subject, double fill_gaps_m, int tile_side) {
   result.tile_side_px = tile_side;
   const auto& labels = subject.map->labels;
   std::vector<std::pair<LayerGroup, MapLayer>> layers;
-  DrawLabelLayers(*subject.map, subject.frame, {subject.hidden, fill_gaps_m},
-                  [&](Label label, AlphaImage image) {
-                    const LayerGroup group = GroupOf(labels, label);
-                    const auto color = labels.ColorOf(label);
-                    layers.push_back({group,
-                                      {labels.Name(label), NameOf(group), color,
-                                       CutIntoTiles(std::move(image), result.halvings, tile_side,
-                                                    color)}});
-                  });
+  DrawLabelLayers(
+      *subject.map, subject.frame, {subject.hidden, fill_gaps_m},
+      [&](Label label, AlphaImage image) {
+        const LayerGroup group = GroupOf(labels, label);
+        const auto color = labels.ColorOf(label);
+        layers.push_back({group,
+                          {labels.Name(label), NameOf(group), color,
+                           CutIntoTiles(std::move(image), result.halvings, tile_side, color)}});
+      });
   std::stable_sort(layers.begin(), layers.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& layer : layers) result.layers.push_back(std::move(layer.second));

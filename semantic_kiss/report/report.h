@@ -48,8 +48,8 @@ struct Coloring {
 };
 
 struct ClosureMark {
-  Eigen::Vector2d node, submap;   // [m], map frame: the ends of the line
-  std::optional<bool> right;      // known with ground truth only
+  Eigen::Vector2d node, submap;    // [m], map frame: the ends of the line
+  std::optional<bool> right;       // known with ground truth only
   std::vector<std::string> facts;  // one for each of MapView::closure_facts
 };
 

@@ -90,14 +90,10 @@ Json PathJson(const Path& path) {
 }
 
 Json MapJson(const MapView& map) {
-  Json json = {{"caption", map.caption},
-               {"frame", FrameJson(map.layers.frame)},
-               {"halvings", map.layers.halvings},
-               {"tile_side", map.layers.tile_side_px},
-               {"layers", Json::array()},
-               {"paths", Json::array()},
-               {"colorings", Json::array()},
-               {"closure_facts", map.closure_facts},
+  Json json = {{"caption", map.caption},          {"frame", FrameJson(map.layers.frame)},
+               {"halvings", map.layers.halvings}, {"tile_side", map.layers.tile_side_px},
+               {"layers", Json::array()},         {"paths", Json::array()},
+               {"colorings", Json::array()},      {"closure_facts", map.closure_facts},
                {"closures", Json::array()}};
   for (const MapLayer& layer : map.layers.layers) json["layers"].push_back(LayerJson(layer));
   for (const Path& path : map.paths) json["paths"].push_back(PathJson(path));

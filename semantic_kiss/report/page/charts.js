@@ -4,9 +4,9 @@
 
 // Charts as SVG, drawn anew whenever their place changes its width.
 
-const CHART_HEIGHT = 210;
+const CHART_HEIGHT = 224;
 const ROW_HEIGHT = 24;
-const MARGIN = {left: 46, right: 12, top: 10, bottom: 34};
+const MARGIN = {left: 46, right: 12, top: 24, bottom: 34};
 
 function svg(tag, attributes = {}, ...children) {
   const result = document.createElementNS('http://www.w3.org/2000/svg', tag);
@@ -61,7 +61,7 @@ function drawYAxis(root, area, [low, high], name) {
     root.append(svg('line', {x1: area.left, x2: area.right, y1: y, y2: y, class: 'grid'}),
                 text(area.left - 7, y + 4, tickText(value, digits), {'text-anchor': 'end'}));
   }
-  root.append(text(0, area.bottom + 28, name, {class: 'axis'}));
+  root.append(text(area.left, 12, name, {class: 'axis'}));
 }
 
 function drawXAxis(root, area, [low, high], name) {
@@ -104,7 +104,8 @@ function drawLines(root, area, chart) {
 function legend(chart) {
   if (chart.series.length < 2) return [];
   return [element('div', {class: 'keys'}, ...chart.series.map((series) => element(
-      'span', {}, element('span', {class: `line ${series.role}`}), series.name)))];
+      'span', {}, element('span', {class: `${chart.kind === 'line' ? 'line' : 'swatch'} ${series.role}`}),
+      series.name)))];
 }
 
 function indexAt(xs, value) {

@@ -29,8 +29,7 @@ function coloredLines(points, values) {
     let end = i + 1;
     while (end + 1 < points.length && bin(end) === bin(i)) ++end;
     lines.push(L.polyline(points.slice(i, end + 1), {
-      color: rampColor(bin(i) / (NUM_COLORS - 1)), weight: 3.5, lineCap: 'butt',
-      interactive: false,
+      color: rampColor(bin(i) / (NUM_COLORS - 1)), weight: 3.5, interactive: false,
     }));
     i = end;
   }
@@ -114,12 +113,13 @@ class DriveView {
         if (path.role === role && this.visible.get(role)) add(plainLine(latLngs(path), role));
       }
     }
+    if (this.visible.get('trajectory')) {
+      this.data.paths.forEach((path, index) => {
+        if (path.role === 'trajectory' && path.x.length > 0) this.drawTrajectory(path, index, add);
+      });
+    }
     this.closures = this.data.closures.map((closure) => closureLine(this.data, closure));
     if (this.visible.get('closures')) this.closures.forEach(add);
-    if (!this.visible.get('trajectory')) return;
-    this.data.paths.forEach((path, index) => {
-      if (path.role === 'trajectory' && path.x.length > 0) this.drawTrajectory(path, index, add);
-    });
   }
 
   drawTrajectory(path, index, add) {

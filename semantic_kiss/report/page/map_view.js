@@ -48,7 +48,7 @@ function addLabelLayers(map, data) {
       minZoom: -data.halvings - 4, maxZoom: MAX_ZOOM,
       minNativeZoom: -data.halvings, maxNativeZoom: 0,
       // What is dark on paper is light on a dark page.
-      className: luminance(layer.color) < 0.2 ? 'label-layer dark-ink' : 'label-layer',
+      className: luminance(layer.color) < 0.12 ? 'label-layer dark-ink' : 'label-layer',
     });
     grid.addTo(map);
     layers.set(layer.name, grid);
@@ -61,7 +61,7 @@ function createMapView(container, data) {
   const map = L.map(container, {
     crs: crsOf(data.frame), attributionControl: false, preferCanvas: true, fadeAnimation: false,
     zoomAnimation: !window.matchMedia('(prefers-reduced-motion: reduce)').matches,
-    zoomSnap: 0.5, zoomDelta: 1, wheelPxPerZoomLevel: 90,
+    zoomSnap: 0.25, zoomDelta: 1, wheelPxPerZoomLevel: 90,
     minZoom: -data.halvings - 2, maxZoom: MAX_ZOOM, renderer: L.canvas({padding: 0.3, tolerance: 6}),
     maxBounds: boundsOf(data.frame).pad(0.6),
   });
