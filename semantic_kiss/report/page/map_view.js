@@ -7,9 +7,16 @@
 
 const MAX_ZOOM = 5;
 
-function crsOf(frame) {
+// Scales between powers of two are chosen such that tiles have whole pixels: no seams.
+function scaleOf(zoom, tileSide) {
+  const level = Math.round(zoom);
+  return 2 ** level * Math.round(2 ** (zoom - level) * tileSide) / tileSide;
+}
+
+function crsOf(frame, tileSide) {
   const scale = 1 / frame.resolution;
   return L.extend({}, L.CRS.Simple, {
+    scale: (zoom) => scaleOf(zoom, tileSide),
     transformation: new L.Transformation(scale, -frame.min_x * scale, -scale, frame.max_y * scale),
   });
 }
@@ -59,7 +66,7 @@ function addLabelLayers(map, data) {
 // Returns {map, layers by label, show(label, visible), setOpacity(label, share)}.
 function createMapView(container, data) {
   const map = L.map(container, {
-    crs: crsOf(data.frame), attributionControl: false, preferCanvas: true, fadeAnimation: false,
+    crs: crsOf(data.frame, data.tile_side), attributionControl: false, preferCanvas: true, fadeAnimation: false,
     zoomAnimation: !window.matchMedia('(prefers-reduced-motion: reduce)').matches,
     zoomSnap: 0.25, zoomDelta: 1, wheelPxPerZoomLevel: 90,
     minZoom: -data.halvings - 2, maxZoom: MAX_ZOOM, renderer: L.canvas({padding: 0.3, tolerance: 6}),
