@@ -11,6 +11,8 @@ foreach(file ${files})
     get_filename_component(name ${path} NAME)
   endif()
   file(READ ${path} content)
+  # Names a file that is not embedded.
+  string(REGEX REPLACE "//# sourceMappingURL=[^\n]*\n?" "" content "${content}")
   string(FIND "${content}" ")embedded\"" clash)
   if(NOT clash EQUAL -1)
     message(FATAL_ERROR "${path} holds )embedded\", which would end the literal")

@@ -15,7 +15,8 @@ struct ConfigurationDifference {
 };
 
 // Where two configurations differ, both as common::OptionsToLua() writes them: in the order of
-// `lua`, then what `other` alone has. Lists differ element by element ("hide[2]").
+// `lua`, then what `other` alone has. Lists on one line are values; longer ones differ element by
+// element ("confidence_columns[2]").
 std::vector<ConfigurationDifference> Differences(const std::string& lua, const std::string& other);
 
 }  // namespace semantic_kiss::cli

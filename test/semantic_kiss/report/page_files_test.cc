@@ -13,8 +13,6 @@
 namespace semantic_kiss::report {
 namespace {
 
-using ::testing::HasSubstr;
-
 TEST(PageFilesTest, AreTheSourceTreesByteByByte) {
   const char* const source = std::getenv("SEMANTIC_KISS_SOURCE_DIR");
   if (source == nullptr) GTEST_SKIP() << "SEMANTIC_KISS_SOURCE_DIR is not set";
@@ -26,8 +24,11 @@ TEST(PageFilesTest, AreTheSourceTreesByteByByte) {
 }
 
 TEST(PageFilesTest, HasTheMapViewer) {
-  EXPECT_THAT(PageFile("leaflet.js"), HasSubstr("1.7.1"));
-  EXPECT_THAT(PageFile("leaflet.css"), HasSubstr(".leaflet-container"));
+  // Whole strings in a message about a failure would be all of Leaflet.
+  EXPECT_NE(PageFile("leaflet.js").find("CircleMarker"), std::string::npos);
+  EXPECT_NE(PageFile("leaflet.css").find(".leaflet-container"), std::string::npos);
+  // Debuggers would look for the file that this line names.
+  EXPECT_EQ(PageFile("leaflet.js").find("sourceMappingURL"), std::string::npos);
 }
 
 TEST(PageFilesTest, UnknownNamesAreBugs) { EXPECT_DEATH(PageFile("no.js"), "no.js"); }
