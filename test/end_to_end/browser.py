@@ -83,9 +83,10 @@ class Browser:
             time.sleep(0.02)
 
     def emulate(self, scheme="light", width=1280, height=900):
-        """The reader's theme and window."""
-        self._command("Emulation.setEmulatedMedia",
-                      {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        """The reader's theme and window; nothing moves by itself."""
+        features = [{"name": "prefers-color-scheme", "value": scheme},
+                    {"name": "prefers-reduced-motion", "value": "reduce"}]
+        self._command("Emulation.setEmulatedMedia", {"features": features})
         self._command("Emulation.setDeviceMetricsOverride",
                       {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
@@ -104,9 +105,19 @@ class Browser:
         self._post("/actions", {"actions": [{"type": "pointer", "id": "mouse",
                                              "actions": actions}]})
 
-    def screenshot(self):
-        """The window as the bytes of a PNG file."""
-        return base64.b64decode(self._command("Page.captureScreenshot", {"format": "png"})["data"])
+    def screenshot(self, selector=None):
+        """The window, or what an element covers of it, as the bytes of a PNG file."""
+        parameters = {"format": "png"}
+        if selector is not None:
+            box = self.box(selector)
+            left, top = self.run("return [scrollX, scrollY]")  # the command counts from the page's
+            parameters["clip"] = {**box, "x": box["x"] + left, "y": box["y"] + top, "scale": 1}
+        return base64.b64decode(self._command("Page.captureScreenshot", parameters)["data"])
+
+    def box(self, selector):
+        """Where an element is in the window, in whole pixels: x, y, width, height."""
+        box = self.run(f"return document.querySelector('{selector}').getBoundingClientRect()")
+        return {name: round(box[name]) for name in ("x", "y", "width", "height")}
 
     def log(self):
         """What the browser logged since the last call: errors, warnings, messages of scripts."""
