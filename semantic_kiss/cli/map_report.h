@@ -17,7 +17,7 @@ namespace semantic_kiss::cli {
 
 struct NamedMap {
   std::string name;
-  cartographer::map::Map map;  // grids of submaps and nodes' poses are enough
+  cartographer::map::Map map;  // clouds of nodes are not needed
 };
 
 // A page about maps, several of them side by side: what they look like, what is in them. At least

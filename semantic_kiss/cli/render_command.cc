@@ -98,7 +98,7 @@ absl::Status RenderKitti() {
 
 absl::StatusOr<NamedMap> ReadNamed(const std::string& path) {
   io::MapParts parts;
-  parts.submap_clouds = parts.node_clouds = false;
+  parts.node_clouds = false;
   ASSIGN_OR_RETURN(auto map, io::ReadMapParts(path, parts));
   return NamedMap{std::filesystem::path(path).filename().string(), std::move(map)};
 }

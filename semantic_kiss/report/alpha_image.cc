@@ -6,6 +6,7 @@
 #include <libdeflate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "absl/strings/string_view.h"
@@ -95,16 +96,16 @@ bool IsEmpty(const AlphaImage& image) {
                      [](uint8_t level) { return level == 0; });
 }
 
-std::string ToPng(const AlphaImage& image, cartographer::sensor::Color color) {
+std::string ToPng(const AlphaImage& image, const Ink& ink) {
   CHECK_GT(image.width, 0);
   CHECK_GT(image.height, 0);
   // Four bits, palette; usual compression, filters and order.
   const std::string format = {4, 3, 0, 0, 0};
   std::string palette, opacities;
   for (int level = 0; level < kPaletteSize; ++level) {
-    palette += {static_cast<char>(color.red), static_cast<char>(color.green),
-                static_cast<char>(color.blue)};
-    opacities.push_back(static_cast<char>(level * 255 / kOpaque));
+    palette += {static_cast<char>(ink.color.red), static_cast<char>(ink.color.green),
+                static_cast<char>(ink.color.blue)};
+    opacities.push_back(static_cast<char>(std::lround(ink.opacity * level * 255. / kOpaque)));
   }
   return std::string("\x89PNG\r\n\x1a\n") +
          Chunk("IHDR", BigEndian(image.width) + BigEndian(image.height) + format) +

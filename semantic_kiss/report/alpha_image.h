@@ -40,9 +40,15 @@ AlphaImage Halved(const AlphaImage& image);
 
 bool IsEmpty(const AlphaImage& image);
 
+// What an image is drawn with: its colour, and the opacity in [0, 1] of a pixel of kOpaque.
+struct Ink {
+  cartographer::sensor::Color color;
+  double opacity = 1.;
+};
+
 // The bytes of a PNG file with a palette of 16 entries, so four bits a pixel. The image must not be
 // of size 0 (CHECKed).
-std::string ToPng(const AlphaImage& image, cartographer::sensor::Color color);
+std::string ToPng(const AlphaImage& image, const Ink& ink);
 
 }  // namespace semantic_kiss::report
 

@@ -198,6 +198,8 @@ const char* NameOf(LayerGroup group) {
       return "Ground";
     case LayerGroup::kUnlabeled:
       return "Unlabeled";
+    case LayerGroup::kShadow:
+      return "Shadows";
     case LayerGroup::kStanding:
       return "Standing";
     case LayerGroup::kMovable:

@@ -14,9 +14,10 @@
 namespace semantic_kiss::report {
 
 // What a label is to somebody who looks at a map, in the order in which layers lie upon each other.
-enum class LayerGroup { kGround, kUnlabeled, kStanding, kMovable, kMoving, kCritical };
+enum class LayerGroup { kGround, kUnlabeled, kShadow, kStanding, kMovable, kMoving, kCritical };
 
-// The group by the label's roles; of several groups the one that lies highest.
+// The group by the label's roles; of several groups the one that lies highest. Shadows are no
+// label's (shadow_layers.h).
 LayerGroup GroupOf(const cartographer::sensor::LabelSet& labels, cartographer::sensor::Label label);
 // A heading: "Ground", "Movable", ...
 const char* NameOf(LayerGroup group);

@@ -17,8 +17,7 @@ int NumHalvings(int width, int height, int tile_side) {
   return halvings;
 }
 
-std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_side,
-                                    cartographer::sensor::Color color) {
+std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_side, const Ink& ink) {
   CHECK_GT(tile_side, 0);
   std::vector<LayerTile> tiles;
   for (int level = 0; level <= halvings; ++level) {
@@ -30,7 +29,7 @@ std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_sid
       LayerTile tile{level, static_cast<int>(index) % across, static_cast<int>(index) / across, ""};
       const AlphaImage piece =
           CutOut(image, tile.column * tile_side, tile.row * tile_side, tile_side);
-      if (!IsEmpty(piece)) tile.png = ToPng(piece, color);
+      if (!IsEmpty(piece)) tile.png = ToPng(piece, ink);
       return tile;
     });
     for (LayerTile& tile : found) {

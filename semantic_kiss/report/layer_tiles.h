@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cartographer/sensor/label_set.h"
 #include "semantic_kiss/report/alpha_image.h"
 
 namespace semantic_kiss::report {
@@ -26,8 +25,7 @@ int NumHalvings(int width, int height, int tile_side);
 
 // Cuts `image` and its first `halvings` halves into tiles, without those that would be empty.
 // Levels come in order, tiles of a level row by row. Parallel; the result does not depend on it.
-std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_side,
-                                    cartographer::sensor::Color color);
+std::vector<LayerTile> CutIntoTiles(AlphaImage image, int halvings, int tile_side, const Ink& ink);
 
 }  // namespace semantic_kiss::report
 

@@ -12,6 +12,7 @@
 #include "cartographer/io/hidden_labels.h"
 #include "glog/logging.h"
 #include "semantic_kiss/report/label_layers.h"
+#include "semantic_kiss/report/shadow_layers.h"
 
 namespace semantic_kiss::report {
 namespace {
@@ -58,25 +59,53 @@ absl::Status FrameAlike(io::RasterFrameOptions options, std::vector<Subject>* su
   return FrameAll(options, subjects).status();
 }
 
+// Layers as they are drawn, each with where it belongs.
+class LayerStack {
+ public:
+  LayerStack(int halvings, int tile_side) : halvings_(halvings), tile_side_(tile_side) {}
+
+  void Add(const std::string& name, LayerGroup group, AlphaImage image, const Ink& ink) {
+    layers_.push_back({group,
+                       {name, NameOf(group), ink.color,
+                        CutIntoTiles(std::move(image), halvings_, tile_side_, ink)}});
+  }
+
+  // The lowest first.
+  std::vector<MapLayer> Take() {
+    std::stable_sort(layers_.begin(), layers_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<MapLayer> result;
+    for (auto& layer : layers_) result.push_back(std::move(layer.second));
+    return result;
+  }
+
+ private:
+  const int halvings_, tile_side_;
+  std::vector<std::pair<LayerGroup, MapLayer>> layers_;
+};
+
+void AddShadows(const Subject& subject, LayerStack* stack) {
+  for (const LayerGroup group : {LayerGroup::kStanding, LayerGroup::kMovable}) {
+    AlphaImage image = DrawShadows(*subject.map, subject.hidden, group, subject.frame);
+    if (IsEmpty(image)) continue;
+    stack->Add(NameOf(group), LayerGroup::kShadow, std::move(image), {{0, 0, 0}, kShadowOpacity});
+  }
+}
+
 MapLayers Draw(const Subject& subject, double fill_gaps_m, int tile_side) {
   MapLayers result;
   result.frame = subject.frame;
   result.halvings = NumHalvings(subject.frame.width, subject.frame.height, tile_side);
   result.tile_side_px = tile_side;
+  LayerStack stack(result.halvings, tile_side);
   const auto& labels = subject.map->labels;
-  std::vector<std::pair<LayerGroup, MapLayer>> layers;
-  DrawLabelLayers(
-      *subject.map, subject.frame, {subject.hidden, fill_gaps_m},
-      [&](Label label, AlphaImage image) {
-        const LayerGroup group = GroupOf(labels, label);
-        const auto color = labels.ColorOf(label);
-        layers.push_back({group,
-                          {labels.Name(label), NameOf(group), color,
-                           CutIntoTiles(std::move(image), result.halvings, tile_side, color)}});
-      });
-  std::stable_sort(layers.begin(), layers.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& layer : layers) result.layers.push_back(std::move(layer.second));
+  DrawLabelLayers(*subject.map, subject.frame, {subject.hidden, fill_gaps_m},
+                  [&](Label label, AlphaImage image) {
+                    stack.Add(labels.Name(label), GroupOf(labels, label), std::move(image),
+                              {labels.ColorOf(label)});
+                  });
+  AddShadows(subject, &stack);
+  result.layers = stack.Take();
   return result;
 }
 

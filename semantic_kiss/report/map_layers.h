@@ -17,7 +17,7 @@
 namespace semantic_kiss::report {
 
 struct MapLayer {
-  std::string name;   // of the label
+  std::string name;   // of the label; of shadows: the group that casts them
   std::string group;  // what it stands under (label_layers.h)
   cartographer::sensor::Color color;
   std::vector<LayerTile> tiles;

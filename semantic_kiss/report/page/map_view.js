@@ -6,6 +6,12 @@
 // longitude. At zoom 0 a pixel of the pictures is one of the screen; -1 shows them halved.
 
 const MAX_ZOOM = 5;
+// The group of layers that are no label's but the shadows of what the group of their name holds.
+const SHADOWS = 'Shadows';
+
+function layerKey(layer) {
+  return `${layer.group}/${layer.name}`;
+}
 
 // Scales between powers of two are chosen such that tiles have whole pixels: no seams.
 function scaleOf(zoom, tileSide) {
@@ -55,15 +61,15 @@ function addLabelLayers(map, data) {
       minZoom: -data.halvings - 4, maxZoom: MAX_ZOOM,
       minNativeZoom: -data.halvings, maxNativeZoom: 0,
       // What is dark on paper is light on a dark page.
-      className: luminance(layer.color) < 0.12 ? 'label-layer dark-ink' : 'label-layer',
+      className: layer.group !== SHADOWS && luminance(layer.color) < 0.12 ? 'dark-ink' : '',
     });
     grid.addTo(map);
-    layers.set(layer.name, grid);
+    layers.set(layerKey(layer), grid);
   });
   return layers;
 }
 
-// Returns {map, layers by label, show(label, visible), setOpacity(label, share)}.
+// Returns {map, layers by key, show(key, visible), setOpacity(key, share)}.
 function createMapView(container, data) {
   const map = L.map(container, {
     crs: crsOf(data.frame, data.tile_side), attributionControl: false, preferCanvas: true, fadeAnimation: false,
@@ -80,12 +86,12 @@ function createMapView(container, data) {
   sharpen();
   return {
     map, layers,
-    show(label, visible) {
-      const layer = layers.get(label);
+    show(key, visible) {
+      const layer = layers.get(key);
       if (layer) visible ? layer.addTo(map) : layer.remove();
     },
-    setOpacity(label, share) {
-      const layer = layers.get(label);
+    setOpacity(key, share) {
+      const layer = layers.get(key);
       if (layer) layer.setOpacity(share);
     },
   };

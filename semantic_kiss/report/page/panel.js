@@ -57,23 +57,24 @@ function driveControls(drives) {
 }
 
 function layerRow(layer, views) {
+  const key = layerKey(layer);
   const swatch = element('span', {class: 'swatch', style: `background: ${layer.color}`});
   const {box, label} = checkbox(
-      layer.name, true, (on) => views.forEach((view) => view.show(layer.name, on)), swatch);
+      layer.name, true, (on) => views.forEach((view) => view.show(key, on)), swatch);
   const slider = element('input', {
     type: 'range', min: 0, max: 100, value: 100, 'aria-label': `Opacity of ${layer.name}`,
-    oninput: () => views.forEach((view) => view.setOpacity(layer.name, slider.value / 100)),
+    oninput: () => views.forEach((view) => view.setOpacity(key, slider.value / 100)),
   });
-  return {box, row: element('div', {class: 'layer'}, label, slider)};
+  return {key, box, row: element('div', {class: 'layer'}, label, slider)};
 }
 
 // The labels of all maps in the order of the first that has them, by group.
 function layersByGroup(maps) {
   const groups = new Map();
-  const names = new Set();
+  const keys = new Set();
   for (const layer of maps.flatMap((map) => map.layers)) {
-    if (names.has(layer.name)) continue;
-    names.add(layer.name);
+    if (keys.has(layerKey(layer))) continue;
+    keys.add(layerKey(layer));
     if (!groups.has(layer.group)) groups.set(layer.group, []);
     groups.get(layer.group).push(layer);
   }
@@ -94,14 +95,33 @@ function groupControls(group, layers, views) {
     box.indeterminate = on > 0 && on < rows.length;
   };
   rows.forEach((row) => row.box.addEventListener('change', update));
-  return element('fieldset', {}, element('legend', {}, label), ...rows.map(({row}) => row));
+  const fieldset = element('fieldset', {}, element('legend', {}, label),
+                           ...rows.map(({row}) => row));
+  return {group, rows, fieldset};
+}
+
+// Shadows go with what casts them: one is drawn while its box is checked and so is any in its group.
+function tieShadows(groups, views) {
+  const shadows = groups.find(({group}) => group === SHADOWS);
+  if (!shadows) return;
+  for (const {key, box} of shadows.rows) {
+    const casting = groups.find(({group}) => key === layerKey({group: SHADOWS, name: group}));
+    if (!casting) continue;
+    const update = () => {
+      const visible = box.checked && casting.rows.some((row) => row.box.checked);
+      views.forEach((view) => view.show(key, visible));
+    };
+    [...casting.rows.map((row) => row.box), box].forEach(
+        (each) => each.addEventListener('change', update));
+  }
 }
 
 function buildPanel(panel, views, drives, maps) {
   panel.onsubmit = (event) => event.preventDefault();
   if (drives.some((drive) => drive.data.paths.length > 0)) panel.append(driveControls(drives));
   // The topmost layers come first, as they lie in the map.
-  for (const [group, layers] of [...layersByGroup(maps)].reverse()) {
-    panel.append(groupControls(group, [...layers].reverse(), views));
-  }
+  const groups = [...layersByGroup(maps)].reverse().map(
+      ([group, layers]) => groupControls(group, [...layers].reverse(), views));
+  groups.forEach(({fieldset}) => panel.append(fieldset));
+  tieShadows(groups, views);
 }

@@ -23,14 +23,20 @@ AlphaImage ImageOf(int width, std::vector<uint8_t> levels) {
 
 TEST(AlphaImageTest, OtherReadersSeeColorAndOpacity) {
   // An odd width: the last byte of each row is half used.
-  const DecodedPng png = DecodePng(ToPng(ImageOf(3, {0, 5, kOpaque, 10, 0, 1}), {255, 0, 51}));
+  const DecodedPng png = DecodePng(ToPng(ImageOf(3, {0, 5, kOpaque, 10, 0, 1}), {{255, 0, 51}}));
   EXPECT_EQ(png.width, 3);
   EXPECT_EQ(png.height, 2);
   EXPECT_THAT(png.pixels, ElementsAre(0u, 0x55550011u, 0xffff0033u, 0xaaaa0022u, 0u, 0x11110003u));
 }
 
 TEST(AlphaImageTest, APixelIsAnImage) {
-  EXPECT_THAT(DecodePng(ToPng(ImageOf(1, {kOpaque}), {1, 2, 3})).pixels, ElementsAre(0xff010203u));
+  EXPECT_THAT(DecodePng(ToPng(ImageOf(1, {kOpaque}), {{1, 2, 3}})).pixels,
+              ElementsAre(0xff010203u));
+}
+
+TEST(AlphaImageTest, InkMayBeThin) {
+  EXPECT_THAT(DecodePng(ToPng(ImageOf(2, {kOpaque, 5}), {{255, 255, 255}, 0.4})).pixels,
+              ElementsAre(0x66666666u, 0x22222222u));
 }
 
 TEST(AlphaImageTest, NothingIsNoImage) { EXPECT_DEATH(ToPng(AlphaImage(), {}), "width"); }

@@ -50,7 +50,7 @@ AlphaImage Assembled(const std::vector<LayerTile>& tiles, int level, int side, A
 
 TEST(LayerTilesTest, TilesAreTheImageAndItsHalves) {
   AlphaImage image = Speckled(53, 37);
-  const std::vector<LayerTile> tiles = CutIntoTiles(image, 2, 16, {9, 9, 9});
+  const std::vector<LayerTile> tiles = CutIntoTiles(image, 2, 16, {{9, 9, 9}});
   for (int level = 0; level <= 2; ++level) {
     if (level > 0) image = Halved(image);
     EXPECT_EQ(Assembled(tiles, level, 16, AlphaImage(image.width, image.height)).levels,
@@ -76,7 +76,8 @@ TEST(LayerTilesTest, EmptyTilesAreLeftOut) {
 TEST(LayerTilesTest, ThreadsDoNotMatter) {
   const auto bytes = [] {
     std::string all;
-    for (const LayerTile& tile : CutIntoTiles(Speckled(130, 90), 2, 16, {1, 2, 3})) all += tile.png;
+    for (const LayerTile& tile : CutIntoTiles(Speckled(130, 90), 2, 16, {{1, 2, 3}}))
+      all += tile.png;
     return all;
   };
   const std::string one = cartographer::io::OnThreads(1, bytes);
