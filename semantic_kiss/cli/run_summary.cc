@@ -3,12 +3,11 @@
 
 #include "semantic_kiss/cli/run_summary.h"
 
-#include <limits>
-
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "semantic_kiss/cli/peak_memory.h"
 #include "semantic_kiss/cli/run_text.h"
+#include "semantic_kiss/cli/summary_line.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -19,15 +18,6 @@ std::string AccuracyLine(const evaluation::Evaluation& evaluation) {
       "RTE ", FigureText(metrics.rte_percent, 3, "%"), ", ATE-3D ",
       FigureText(metrics.ate_3d_m, 3, "m"), ", ATE-2D ", FigureText(metrics.ate_2d_m, 3, "m"),
       absl::StrFormat(", last pose off by %.3f m", evaluation.final_error.position_error_m));
-}
-
-std::string SummaryLine(const Terminal& terminal, Style style, absl::string_view heading,
-                        const std::string& text) {
-  constexpr int kColumn = 10;
-  // Broken for people alone: scripts look for whole lines.
-  const int width = terminal.interactive ? terminal.width : std::numeric_limits<int>::max();
-  return absl::StrCat(Styled(terminal, style, heading),
-                      Wrapped(text, kColumn, width).substr(heading.size()), "\n");
 }
 
 }  // namespace

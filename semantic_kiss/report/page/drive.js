@@ -68,9 +68,8 @@ function closureLine(data, closure) {
   const color = themeColor(closure.right === false ? 'wrong' : 'closure');
   const ends = [closure.node, closure.submap].map(([x, y]) => [y, x]);
   const group = L.featureGroup([
-    L.polyline(ends, {color, weight: 2, opacity: 0.9}),
-    L.circleMarker(ends[0], {radius: 3.5, weight: 1.5, color, fillColor: themeColor('paper'),
-                             fillOpacity: 1}),
+    L.polyline(ends, {color, weight: 1.5, opacity: 0.6}),
+    L.circleMarker(ends[0], {radius: 2, weight: 0, fillColor: color, fillOpacity: 1}),
   ]);
   return group.bindPopup(() => closureFacts(data.closure_facts, closure), {maxWidth: 260});
 }
