@@ -6,7 +6,7 @@
 
 const CHART_HEIGHT = 224;
 const ROW_HEIGHT = 24;
-const MARGIN = {left: 46, right: 12, top: 24, bottom: 34};
+const MARGIN = {left: 46, right: 22, top: 24, bottom: 34};
 
 function svg(tag, attributes = {}, ...children) {
   const result = document.createElementNS('http://www.w3.org/2000/svg', tag);
