@@ -36,7 +36,7 @@ Chart HeightChart(const RunResult& result) {
   Chart chart = AlongTheWay(result, "Height", "Of the lidar above its start.");
   chart.series.push_back({"map", Role::kTrajectory, report::Heights(result.map_from_lidar)});
   if (HasClosures(result)) {
-    chart.series.push_back({"odometry", Role::kOdometry, report::Heights(result.local_from_lidar)});
+    chart.series.push_back({"odometry", Role::kOdometry, report::Heights(result.OdometryInMap())});
   }
   if (!result.true_lidar_poses.empty()) {
     const double start = result.map_from_lidar.front().translation().z();
@@ -112,7 +112,7 @@ Chart CorrectionChart(const RunResult& result) {
                             "Distance between a scan's place in the map and where the odometry "
                             "alone had it.");
   chart.series.push_back({"correction", Role::kTrajectory,
-                          report::Distances(result.map_from_lidar, result.local_from_lidar)});
+                          report::Distances(result.map_from_lidar, result.OdometryInMap())});
   return chart;
 }
 

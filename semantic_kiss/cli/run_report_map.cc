@@ -3,6 +3,7 @@
 
 #include "semantic_kiss/cli/run_report_map.h"
 
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -22,7 +23,7 @@ void AddPaths(const RunResult& result, MapView* view) {
       {"trajectory", Role::kTrajectory, report::PlanePositions(result.map_from_lidar)});
   if (!result.closures.closures.empty()) {
     view->paths.push_back(
-        {"odometry", Role::kOdometry, report::PlanePositions(result.local_from_lidar)});
+        {"odometry", Role::kOdometry, report::PlanePositions(result.OdometryInMap())});
   }
   if (!result.true_lidar_poses.empty()) {
     const auto truth = report::AlignedOnto(result.map_from_lidar, result.true_lidar_poses);
@@ -38,23 +39,24 @@ void AddColorings(const RunResult& result, MapView* view) {
   view->colorings.push_back({"height", "m", report::Heights(result.map_from_lidar)});
   if (!result.closures.closures.empty()) {
     view->colorings.push_back(
-        {"correction", "m", report::Distances(result.map_from_lidar, result.local_from_lidar)});
+        {"correction", "m", report::Distances(result.map_from_lidar, result.OdometryInMap())});
   }
 }
 
-std::vector<std::string> FactsOf(const Closure& closure, const evaluation::ClosureError* error) {
-  std::vector<std::string> facts = {
-      absl::StrCat(closure.constraint.node_id.node_index),
-      absl::StrCat(closure.constraint.submap_id.submap_index),
-      closure.by_place_recognition ? "place recognition" : "nearby",
-      FigureText(closure.score, 2, ""),
-      FigureText(closure.overlap, 2, ""),
-      FigureText(closure.inlier_ratio, 2, ""),
-      absl::StrFormat("%.2f m, %.2f°", closure.correction_m, closure.correction_deg)};
-  if (error != nullptr) {
-    facts.push_back(absl::StrFormat("%.2f m, %.2f°", error->distance_m, error->angle_deg));
-  }
-  return facts;
+std::vector<std::string> FactsOf(const Closure& closure) {
+  return {absl::StrCat(closure.constraint.node_id.node_index),
+          absl::StrCat(closure.constraint.submap_id.submap_index),
+          closure.by_place_recognition ? "place recognition" : "nearby",
+          FigureText(closure.score, 2, ""),
+          FigureText(closure.overlap, 2, ""),
+          FigureText(closure.inlier_ratio, 2, ""),
+          absl::StrFormat("%.2f m, %.2f°", closure.correction_m, closure.correction_deg)};
+}
+
+// Closures with what an earlier drive mapped have no known error.
+std::string ErrorText(const std::optional<evaluation::ClosureError>& error) {
+  if (!error.has_value()) return "-";
+  return absl::StrFormat("%.2f m, %.2f°", error->distance_m, error->angle_deg);
 }
 
 void AddClosures(const RunResult& result, MapView* view) {
@@ -66,13 +68,15 @@ void AddClosures(const RunResult& result, MapView* view) {
     const auto node = result.map.nodes.find(constraint.node_id);
     const auto submap = result.map.submaps.find(constraint.submap_id);
     if (node == result.map.nodes.end() || submap == result.map.submaps.end()) continue;
-    const evaluation::ClosureError* const error =
-        closures.errors.empty() ? nullptr : &closures.errors[i];
     report::ClosureMark mark;
     mark.node = node->second.map_from_node.translation().head<2>();
     mark.submap = submap->second.map_from_submap.translation().head<2>();
-    if (error != nullptr) mark.right = !error->False();
-    mark.facts = FactsOf(closures.closures[i], error);
+    mark.facts = FactsOf(closures.closures[i]);
+    if (!closures.errors.empty()) {
+      const std::optional<evaluation::ClosureError>& error = closures.errors[i];
+      if (error.has_value()) mark.right = !error->False();
+      mark.facts.push_back(ErrorText(error));
+    }
     view->closures.push_back(std::move(mark));
   }
 }

@@ -48,6 +48,14 @@ void FinishMap(cartographer::slam::MapBuilder* map_builder, RunResult* result) {
 
 }  // namespace
 
+Poses RunResult::OdometryInMap() const {
+  if (local_from_lidar.empty()) return {};
+  const Rigid3d map_from_local = map_from_lidar.front() * local_from_lidar.front().inverse();
+  Poses poses;
+  for (const Rigid3d& pose : local_from_lidar) poses.push_back(map_from_local * pose);
+  return poses;
+}
+
 absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveRecord drive,
                                    const dataset::ScanSource& scans,
                                    cartographer::slam::MapBuilder* map_builder) {

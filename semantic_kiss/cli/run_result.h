@@ -36,6 +36,10 @@ struct RunResult {
   std::vector<cartographer::transform::Rigid3d> true_lidar_poses;
   cartographer::map::Map map;
   RunClosures closures;
+  // The odometry's drive, from the first scan's place in the map on: what maps are compared with,
+  // also where an earlier map was continued and the two frames have nothing in common.
+  std::vector<cartographer::transform::Rigid3d> OdometryInMap() const;
+
   // Where there is ground truth: of `trajectory`, and of `odometry`.
   std::optional<evaluation::Evaluation> evaluation, odometry_evaluation;
 };
