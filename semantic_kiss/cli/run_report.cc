@@ -28,6 +28,7 @@ using report::Table;
 
 // The configuration that differences are told from.
 constexpr char kDefaultConfiguration[] = "semantic_kiss.lua";
+constexpr double kKilometre_m = 1000.;
 
 double Driven_m(const RunResult& result) {
   return evaluation::DrivenDistances(result.map_from_lidar).back();
@@ -53,8 +54,11 @@ void AddAccuracy(const RunResult& result, std::vector<Figure>* figures) {
 std::vector<Figure> HeadlineFigures(const RunResult& result) {
   const double driven_m = Driven_m(result);
   std::vector<Figure> figures;
-  figures.push_back({"Driven", absl::StrFormat("%.2f", driven_m / 1000.), "km",
-                     absl::StrFormat("in %.0f s", Seconds(result))});
+  const bool far = driven_m >= kKilometre_m;
+  figures.push_back(
+      {"Driven",
+       far ? absl::StrFormat("%.2f", driven_m / kKilometre_m) : absl::StrFormat("%.0f", driven_m),
+       far ? "km" : "m", absl::StrFormat("in %.0f s", Seconds(result))});
   AddAccuracy(result, &figures);
   if (!result.closures.verdicts.empty()) {
     int candidates = 0;
@@ -67,7 +71,7 @@ std::vector<Figure> HeadlineFigures(const RunResult& result) {
         {"Loop closures", absl::StrCat(result.closures.closures.size()), "", std::move(note)});
   }
   figures.push_back({"Speed", absl::StrFormat("%.1f", ScansPerSecond(result.drive)), "scans/s",
-                     absl::StrFormat("%.0f s for all scans", result.drive.elapsed_s)});
+                     absl::StrFormat("%.1f s for all scans", result.drive.elapsed_s)});
   figures.push_back({"Peak memory", absl::StrFormat("%.0f", PeakMemory_mib()), "MiB",
                      absl::StrFormat("%d submaps, %d nodes", result.map.submaps.size(),
                                      result.map.nodes.size())});
@@ -188,7 +192,10 @@ std::vector<Table> ChangedOptions(const RunResult& result) {
 
 report::Report RunReport(const RunResult& result, report::MapLayers layers) {
   report::Report report;
-  report.title = "A drive of " + absl::StrFormat("%.1f km", Driven_m(result) / 1000.);
+  const double driven_m = Driven_m(result);
+  report.title = "A drive of " + (driven_m < kKilometre_m
+                                      ? absl::StrFormat("%.0f m", driven_m)
+                                      : absl::StrFormat("%.1f km", driven_m / kKilometre_m));
   report.subtitle = absl::StrCat("semantic_kiss ", Version(), ", ", ScansText(result), " scans");
   report.figures = HeadlineFigures(result);
   report.maps.push_back(RunMapView(result, std::move(layers)));

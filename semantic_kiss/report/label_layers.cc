@@ -28,7 +28,6 @@ using Take = std::function<void(Label, AlphaImage)>;
 
 constexpr uint8_t kGroundLevel = 11;
 constexpr uint8_t kUnlabeledLevel = 4;
-constexpr uint8_t kOnlyUnlabeledLevel = 11;
 // Of what stands on the ground: with the median of hits, and per doubling of it.
 constexpr float kMedianLevel = 11.f;
 constexpr float kLevelsPerDoubling = 1.5f;
@@ -142,10 +141,10 @@ AlphaImage DrawMarks(const SemanticRaster& seen) {
   return image;
 }
 
-AlphaImage DrawUnlabeled(const SemanticRaster& seen, uint8_t level, const Beneath& beneath) {
+AlphaImage DrawUnlabeled(const SemanticRaster& seen, const Beneath& beneath) {
   AlphaImage image(seen.frame.width, seen.frame.height);
   for (size_t i = 0; i < seen.hits.size(); ++i) {
-    if (seen.hits[i] > 0.f && beneath.Bare(i)) image.levels[i] = level;
+    if (seen.hits[i] > 0.f && beneath.Bare(i)) image.levels[i] = kUnlabeledLevel;
   }
   return image;
 }
@@ -225,9 +224,9 @@ void DrawLabelLayers(const Map& map, const RasterFrame& frame, const LabelLayers
   DrawStandingLayers(&drawing, take_unless_empty);
   const auto& order = drawing.order;
   if (std::find(order.begin(), order.end(), kUnlabeled) == order.end()) return;
-  const uint8_t level = labeled ? kUnlabeledLevel : kOnlyUnlabeledLevel;
-  take_unless_empty(kUnlabeled,
-                    DrawUnlabeled(RasterOf(kUnlabeled, map, frame), level, drawing.beneath));
+  const SemanticRaster seen = RasterOf(kUnlabeled, map, frame);
+  take_unless_empty(kUnlabeled, labeled ? DrawUnlabeled(seen, drawing.beneath)
+                                        : DrawObjects(seen, kUnlabeled, &drawing.beneath));
 }
 
 }  // namespace semantic_kiss::report

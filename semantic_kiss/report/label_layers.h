@@ -33,7 +33,8 @@ struct LabelLayersOptions {
 //   - ground labels share the ground, gaps between the rings filled, whatever stands there,
 //   - a label of what stands is drawn where it has more hits than each of the labels below it (as
 //     many, if it is the smaller label),
-//   - unlabeled hits are drawn where there are no others,
+//   - unlabeled hits are drawn, faintly, where there are no others; in a map that has only such, as
+//     what stands,
 //   - critical labels, often a pixel, are drawn wherever they were seen, and on the four pixels
 //     around.
 // More hits, compared with the label's median, make a pixel of what stands more opaque.

@@ -10,6 +10,7 @@
 
 #include "cartographer/common/status.h"
 #include "cartographer/io/hidden_labels.h"
+#include "cartographer/io/raster_shading.h"
 #include "glog/logging.h"
 #include "semantic_kiss/report/label_layers.h"
 #include "semantic_kiss/report/shadow_layers.h"
@@ -19,6 +20,7 @@ namespace {
 
 namespace io = cartographer::io;
 using cartographer::map::Map;
+using cartographer::sensor::kUnlabeled;
 using cartographer::sensor::Label;
 using cartographer::sensor::LabelMask;
 
@@ -70,6 +72,8 @@ class LayerStack {
                         CutIntoTiles(std::move(image), halvings_, tile_side_, ink)}});
   }
 
+  bool empty() const { return layers_.empty(); }
+
   // The lowest first.
   std::vector<MapLayer> Take() {
     std::stable_sort(layers_.begin(), layers_.end(),
@@ -101,8 +105,10 @@ MapLayers Draw(const Subject& subject, double fill_gaps_m, int tile_side) {
   const auto& labels = subject.map->labels;
   DrawLabelLayers(*subject.map, subject.frame, {subject.hidden, fill_gaps_m},
                   [&](Label label, AlphaImage image) {
+                    // It comes last: if it is alone, it has to tell everything.
+                    const bool alone = label == kUnlabeled && stack.empty();
                     stack.Add(labels.Name(label), GroupOf(labels, label), std::move(image),
-                              {labels.ColorOf(label)});
+                              {alone ? io::UnlabeledColor(false) : labels.ColorOf(label)});
                   });
   AddShadows(subject, &stack);
   result.layers = stack.Take();

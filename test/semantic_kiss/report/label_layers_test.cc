@@ -94,6 +94,14 @@ TEST(LabelLayersTest, UnlabeledShowsWhereNothingElseIs) {
   EXPECT_EQ(Shape(layers, "unlabeled"), Sketch{".x.x"});
 }
 
+TEST(LabelLayersTest, AMapWithoutLabelsIsShadedByHits) {
+  const Sketch floor{"UUU"}, wall{"..U"};
+  const Layers layers = LayersOf(Upon(floor, 1, wall, 20), FrameOn(floor));
+  const AlphaImage& image = layers.at(kUnlabeled);
+  EXPECT_EQ(image.levels[0], image.levels[1]);
+  EXPECT_LT(image.levels[1], image.levels[2]);
+}
+
 TEST(LabelLayersTest, LandmarksGetAMark) {
   const Sketch sketch{"....", ".P..", "...."};
   EXPECT_EQ(Shape(LayersOf(MapFromSketch(sketch, 1.), FrameOn(sketch)), "traffic-sign"),
