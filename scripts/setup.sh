@@ -4,6 +4,9 @@
 #
 # Installs what Semantic KISS is built with, from Debian 12's own packages. Prints nothing and
 # touches nothing if all of it is there. Needs root or sudo only if something is missing.
+#   setup.sh            what building and testing need
+#   setup.sh --browser  besides, the browser in which a test looks at reports; without it that test
+#                       is skipped
 set -euo pipefail
 
 # README.md says what each package is for; keep both lists alike.
@@ -23,6 +26,7 @@ packages=(
   libgmock-dev
   libgoogle-glog-dev
   libgtest-dev
+  libjs-leaflet
   liblua5.3-dev
   libprotobuf-dev
   libtbb-dev
@@ -34,6 +38,16 @@ packages=(
   python3
   zlib1g-dev
 )
+
+for argument in "$@"; do
+  case "$argument" in
+    --browser) packages+=(chromium chromium-driver) ;;
+    *)
+      echo "scripts/setup.sh: unknown argument $argument (there is --browser)" >&2
+      exit 2
+      ;;
+  esac
+done
 
 if ! command -v dpkg-query >/dev/null; then
   echo "scripts/setup.sh: this system has no dpkg. Semantic KISS is built on Debian 12; elsewhere" \

@@ -26,6 +26,7 @@ for argument in "$@"; do
   esac
 done
 
+scripts/setup.sh --browser
 for preset in "${presets[@]}"; do
   scripts/build.sh "$preset"
   ctest --preset "$preset" --parallel "$(nproc)" --progress

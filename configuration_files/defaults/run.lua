@@ -7,6 +7,7 @@ include "defaults/dataset.lua"
 include "defaults/map_image.lua"
 include "defaults/pose_graph.lua"
 include "defaults/relocalization.lua"
+include "defaults/report.lua"
 include "defaults/semantic_kiss_builder.lua"
 
 RUN = {
@@ -19,4 +20,5 @@ RUN = {
   map_image = MAP_IMAGE,
   pose_graph = POSE_GRAPH,
   relocalization = RELOCALIZATION,
+  report = REPORT,
 }

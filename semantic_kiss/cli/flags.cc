@@ -10,6 +10,7 @@ DEFINE_string(box, "", "Corners of a box in the map: x_min,y_min,x_max,y_max in 
 DEFINE_string(calib, "",
               "KITTI calib.txt; its row Tr turns lidar poses of --estimate into the camera poses "
               "of KITTI's ground truth. Without it both files must be of the same body.");
+DEFINE_string(compare, "", "A second map, which is shown beside the first.");
 DEFINE_string(config, "semantic_kiss.lua",
               "Configuration: a Lua file, or the name of one that the program brings along.");
 DEFINE_string(dataset, "",
@@ -86,6 +87,7 @@ const std::vector<FlagInfo>& Flags() {
       {"sequence", "NN", G::kInput, V::kText},
       {"map", "FILE", G::kInput, V::kFile},
       {"other_map", "FILE", G::kInput, V::kFile},
+      {"compare", "FILE", G::kInput, V::kFile},
       {"ground_truth", "FILE", G::kInput, V::kFile},
       {"estimate", "FILE", G::kInput, V::kFile},
       {"route", "KIND", G::kInput, V::kText, "as configured"},

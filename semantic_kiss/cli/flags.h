@@ -13,6 +13,7 @@
 // The values of all flags. A command reads only those that it declares (command.h).
 DECLARE_string(box);
 DECLARE_string(calib);
+DECLARE_string(compare);
 DECLARE_string(config);
 DECLARE_string(dataset);
 DECLARE_int32(epoch);

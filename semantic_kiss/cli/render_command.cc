@@ -1,14 +1,17 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "cartographer/common/status.h"
+#include "cartographer/io/atomic_file.h"
 #include "cartographer/io/map_cloud.h"
 #include "cartographer/io/map_image.h"
 #include "cartographer/io/map_reader.h"
@@ -21,6 +24,8 @@
 #include "semantic_kiss/cli/distinct_files.h"
 #include "semantic_kiss/cli/flag_list.h"
 #include "semantic_kiss/cli/flags.h"
+#include "semantic_kiss/cli/map_report.h"
+#include "semantic_kiss/report/html_report.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -91,6 +96,28 @@ absl::Status RenderKitti() {
   return io::WriteKittiPoses(FLAGS_output, trajectory.map_from_sensor);
 }
 
+absl::StatusOr<NamedMap> ReadNamed(const std::string& path) {
+  io::MapParts parts;
+  parts.node_clouds = false;
+  ASSIGN_OR_RETURN(auto map, io::ReadMapParts(path, parts));
+  return NamedMap{std::filesystem::path(path).filename().string(), std::move(map)};
+}
+
+absl::Status RenderHtml() {
+  ASSIGN_OR_RETURN(const io::proto::RenderOptions image, RenderOptions());
+  ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
+  report::proto::ReportOptions options = configuration.options.report();
+  if (FLAGS_resolution > 0.) options.set_resolution_m(FLAGS_resolution);
+  std::vector<NamedMap> maps;
+  for (const std::string& path : {FLAGS_map, FLAGS_compare}) {
+    if (path.empty()) continue;
+    ASSIGN_OR_RETURN(NamedMap map, ReadNamed(path));
+    maps.push_back(std::move(map));
+  }
+  ASSIGN_OR_RETURN(const report::Report page, MapReport(maps, image, options));
+  return io::WriteFileAtomically(FLAGS_output, report::Html(page));
+}
+
 // A kind of file that maps can be rendered to.
 struct Format {
   const char* ending;                // of the file's name
@@ -99,15 +126,20 @@ struct Format {
 };
 
 const std::vector<Format>& Formats() {
-  static const auto& formats = *new std::vector<Format>{
-      {".png", {"trajectory", "node_clouds"}, &RenderImage},
-      {".pgm", {"trajectory", "node_clouds"}, &RenderOccupancyGrid},
-      {".ply", {"trajectory"}, &RenderPly},
-      {".pcd", {"trajectory"}, &RenderPcd},
-      {".tum", {"hide", "show", "resolution", "node_clouds"}, &RenderTum},
-      {"_tum.txt", {"hide", "show", "resolution", "node_clouds"}, &RenderTum},
-      {".kitti", {"hide", "show", "resolution", "node_clouds"}, &RenderKitti},
-      {"_kitti.txt", {"hide", "show", "resolution", "node_clouds"}, &RenderKitti}};
+  static const std::vector<const char*> kOfPictures = {"trajectory", "node_clouds", "compare"};
+  static const std::vector<const char*> kOfClouds = {"trajectory", "compare"};
+  static const std::vector<const char*> kOfPoses = {"hide", "show", "resolution", "node_clouds",
+                                                    "compare"};
+  static const auto& formats =
+      *new std::vector<Format>{{".png", kOfPictures, &RenderImage},
+                               {".html", {"trajectory", "node_clouds"}, &RenderHtml},
+                               {".pgm", kOfPictures, &RenderOccupancyGrid},
+                               {".ply", kOfClouds, &RenderPly},
+                               {".pcd", kOfClouds, &RenderPcd},
+                               {".tum", kOfPoses, &RenderTum},
+                               {"_tum.txt", kOfPoses, &RenderTum},
+                               {".kitti", kOfPoses, &RenderKitti},
+                               {"_kitti.txt", kOfPoses, &RenderKitti}};
   return formats;
 }
 
@@ -130,6 +162,7 @@ absl::Status RunRender() {
         "--", flag, " says nothing about files that end in ", format.ending, "; leave it out"));
   }
   RETURN_IF_ERROR(CheckOutputIsNotMap(FLAGS_map, FLAGS_output));
+  RETURN_IF_ERROR(CheckOutputIsNotMap(FLAGS_compare, FLAGS_output));
   return format.render();
 }
 
@@ -138,16 +171,20 @@ absl::Status RunRender() {
 Command RenderCommand() {
   Command command;
   command.name = "render";
-  command.summary = "draw a map, or export it as grid, points or trajectory";
+  command.summary = "draw a map, or export it as page, grid, points or trajectory";
   command.description =
       "Makes of a map what the ending of --output says. Maps of Cartographer will do as well. "
       "Labels that are hidden are left out: what lies beneath them shows. docs/maps.md describes "
       "the formats.";
-  command.flags = {{"map", true},  {"config"},       {"hide"},       {"show"},   {"node_clouds"},
-                   {"trajectory"}, {"output", true}, {"resolution"}, {"threads"}};
+  command.flags = {{"map", true},   {"compare"},    {"config"},       {"hide"},       {"show"},
+                   {"node_clouds"}, {"trajectory"}, {"output", true}, {"resolution"}, {"threads"}};
   command.files = {
       {"X.png",
        "The map from above in the colours of its labels, with scale, legend and trajectory."},
+      {"X.html",
+       "A page to look at the map in a browser: a layer for each label, to hide or to fade; two "
+       "maps "
+       "side by side with --compare."},
       {"X.pgm, X.yaml",
        "An occupancy grid for ROS's map_server: free where the ground was seen, occupied where "
        "something else was that is not moving."},
@@ -157,6 +194,8 @@ Command RenderCommand() {
   command.examples = {
       {"The streets without the cars",
        "render --map=map.pbstream --output=map.png --hide=car,truck"},
+      {"What a filter did, side by side in a browser",
+       "render --map=map.pbstream --compare=lasting.pbstream --output=both.html"},
       {"5 cm a pixel", "render --map=map.pbstream --output=large.png --resolution=0.05"},
       {"A grid to navigate in, in which parked cars are no obstacles",
        "render --map=map.pbstream --output=map.pgm --hide=car"},

@@ -21,8 +21,8 @@
 #include "semantic_kiss/cli/output_directory.h"
 #include "semantic_kiss/cli/progress.h"
 #include "semantic_kiss/cli/run_files.h"
-#include "semantic_kiss/cli/run_report.h"
 #include "semantic_kiss/cli/run_result.h"
+#include "semantic_kiss/cli/run_summary.h"
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/cli/terminal.h"
 
@@ -99,7 +99,7 @@ absl::Status RunRun() {
     if (!map_builder->IsTied()) return NotJoined();
     Continue(*earlier, map_builder->trajectory_id(), &result.map);
   }
-  RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options.map_image(), &result));
+  RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options, &result));
   if (!FLAGS_quiet) {
     std::cout << RunSummary(result, directory.path(), Terminal::Of(STDOUT_FILENO));
   }

@@ -4,6 +4,7 @@
 #include "semantic_kiss/cli/run_files.h"
 
 #include <string>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
@@ -14,6 +15,8 @@
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/cli/run_json.h"
 #include "semantic_kiss/cli/run_report.h"
+#include "semantic_kiss/report/html_report.h"
+#include "semantic_kiss/report/map_layers.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -30,20 +33,24 @@ absl::Status WriteTrajectories(const OutputDirectory& directory, const RunResult
 
 }  // namespace
 
-absl::Status WriteRunFiles(const OutputDirectory& directory,
-                           const io::proto::RenderOptions& map_image, RunResult* result) {
+absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOptions& options,
+                           RunResult* result) {
   StageTimes& times = result->drive.stage_times;
   cartographer::common::Stopwatch stopwatch;
   // First, because a drive without anything to draw is to leave no files at all.
-  ASSIGN_OR_RETURN(const std::string image, io::RenderMapImage(result->map, map_image));
+  ASSIGN_OR_RETURN(const std::string image, io::RenderMapImage(result->map, options.map_image()));
   times.Add("map_image", stopwatch.Lap());
+  ASSIGN_OR_RETURN(auto layers,
+                   report::TakeApart({&result->map}, options.map_image(), options.report()));
+  times.Add("report_map", stopwatch.Lap());
   RETURN_IF_ERROR(io::WriteMap(result->map, directory.FileNamed("map.pbstream")));
   times.Add("map_file", stopwatch.Lap());
   RETURN_IF_ERROR(WriteTrajectories(directory, *result));
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
   const std::string json = absl::StrCat(RunJson(*result).dump(2), "\n");
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
-  return io::WriteFileAtomically(directory.FileNamed("report.html"), RunReport(*result, image));
+  return io::WriteFileAtomically(directory.FileNamed("report.html"),
+                                 report::Html(RunReport(*result, std::move(layers.front()))));
 }
 
 }  // namespace semantic_kiss::cli

@@ -5,8 +5,8 @@
 #define SEMANTIC_KISS_CLI_RUN_FILES_H_
 
 #include "absl/status/status.h"
-#include "cartographer/io/proto/render_options.pb.h"
 #include "semantic_kiss/cli/output_directory.h"
+#include "semantic_kiss/cli/proto/run_options.pb.h"
 #include "semantic_kiss/cli/run_result.h"
 
 namespace semantic_kiss::cli {
@@ -16,8 +16,7 @@ namespace semantic_kiss::cli {
 // map.png, run.json and report.html. Of these the last two alone tell times; all others are the
 // same bytes whenever, and on however many threads, the run is repeated. How long writing took is
 // added to `result`.
-absl::Status WriteRunFiles(const OutputDirectory& directory,
-                           const cartographer::io::proto::RenderOptions& map_image,
+absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOptions& options,
                            RunResult* result);
 
 }  // namespace semantic_kiss::cli

@@ -3,89 +3,168 @@
 
 #include "semantic_kiss/cli/run_report.h"
 
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "absl/strings/str_join.h"
+#include "semantic_kiss/cli/configuration.h"
+#include "semantic_kiss/cli/configuration_difference.h"
 #include "semantic_kiss/cli/peak_memory.h"
-#include "semantic_kiss/cli/summary_line.h"
+#include "semantic_kiss/cli/run_report_charts.h"
+#include "semantic_kiss/cli/run_report_map.h"
+#include "semantic_kiss/cli/run_text.h"
 #include "semantic_kiss/cli/version.h"
-#include "semantic_kiss/report/html_report.h"
+#include "semantic_kiss/evaluation/relative_error.h"
 
 namespace semantic_kiss::cli {
 namespace {
 
+using report::Figure;
 using report::Table;
 
-std::string Scans(const RunResult& result) {
-  if (result.drive.num_scans == result.scans_available) return absl::StrCat(result.drive.num_scans);
-  return absl::StrCat(result.drive.num_scans, " of ", result.scans_available, " (stopped)");
+// The configuration that differences are told from.
+constexpr char kDefaultConfiguration[] = "semantic_kiss.lua";
+constexpr double kKilometre_m = 1000.;
+
+double Driven_m(const RunResult& result) {
+  return evaluation::DrivenDistances(result.map_from_lidar).back();
 }
 
-std::string Outcomes(const DriveRecord& drive) {
-  return absl::StrJoin(drive.outcomes, ", ", [](std::string* out, const auto& outcome) {
-    absl::StrAppend(out, outcome.second, " ", outcome.first);
-  });
+double Seconds(const RunResult& result) {
+  return cartographer::common::ToSeconds(result.times.back() - result.times.front());
 }
 
-double ScansPerSecond(const DriveRecord& drive) {
-  return drive.elapsed_s > 0. ? drive.num_scans / drive.elapsed_s : 0.;
+void AddAccuracy(const RunResult& result, std::vector<Figure>* figures) {
+  if (!result.evaluation.has_value()) return;
+  const evaluation::Metrics metrics = evaluation::MetricsOf(*result.evaluation);
+  if (metrics.rte_percent.has_value()) {
+    figures->push_back({"Drift", FigureText(metrics.rte_percent, 2, ""), "%",
+                        "RTE, and " + FigureText(100. * *metrics.rte_deg_per_m, 2, "°/100 m")});
+  }
+  if (metrics.ate_3d_m.has_value()) {
+    figures->push_back({"Error of position", FigureText(metrics.ate_3d_m, 2, ""), "m",
+                        "ATE in space; " + FigureText(metrics.ate_2d_m, 2, "m in the plane")});
+  }
 }
 
-std::string UnknownLabels(const dataset::UnknownLabelIds& ids) {
-  return absl::StrJoin(ids, ", ", [](std::string* out, const auto& id) {
-    absl::StrAppend(out, "id ", id.first, ": ", id.second, " points");
-  });
-}
-
-std::string Figure(const std::optional<double>& value, int decimals, const char* unit) {
-  return value.has_value() ? absl::StrFormat("%.*f %s", decimals, *value, unit) : "-";
+std::vector<Figure> HeadlineFigures(const RunResult& result) {
+  const double driven_m = Driven_m(result);
+  std::vector<Figure> figures;
+  const bool far = driven_m >= kKilometre_m;
+  figures.push_back(
+      {"Driven",
+       far ? absl::StrFormat("%.2f", driven_m / kKilometre_m) : absl::StrFormat("%.0f", driven_m),
+       far ? "km" : "m", absl::StrFormat("in %.0f s", Seconds(result))});
+  AddAccuracy(result, &figures);
+  if (!result.closures.verdicts.empty()) {
+    int candidates = 0;
+    for (const auto& [verdict, count] : result.closures.verdicts) candidates += count;
+    std::string note = absl::StrCat("of ", candidates, " candidates");
+    if (!result.closures.errors.empty()) {
+      absl::StrAppend(&note, "; ", result.closures.NumFalse(), " false");
+    }
+    figures.push_back(
+        {"Loop closures", absl::StrCat(result.closures.closures.size()), "", std::move(note)});
+  }
+  figures.push_back({"Speed", absl::StrFormat("%.1f", ScansPerSecond(result.drive)), "scans/s",
+                     absl::StrFormat("%.1f s for all scans", result.drive.elapsed_s)});
+  figures.push_back({"Peak memory", absl::StrFormat("%.0f", PeakMemory_mib()), "MiB",
+                     absl::StrFormat("%d submaps, %d nodes", result.map.submaps.size(),
+                                     result.map.nodes.size())});
+  return figures;
 }
 
 Table AboutTheRun(const RunResult& result) {
-  Table table{"Run", {}, {}};
+  Table table{"Run", "", {}, {}};
   table.rows = {
-      {"scans", Scans(result)},
+      {"scans", ScansText(result)},
       {"points", absl::StrCat(result.drive.num_points)},
-      {"odometry", Outcomes(result.drive)},
-      {"speed", absl::StrFormat("%.1f scans/s", ScansPerSecond(result.drive))},
-      {"peak memory", absl::StrFormat("%.0f MiB", PeakMemory_mib())},
+      {"odometry", OutcomesText(result.drive)},
       {"map", absl::StrFormat("%d nodes, %d submaps, %d constraints", result.map.nodes.size(),
                               result.map.submaps.size(), result.map.constraints.size())},
+      {"label set", result.map.labels.name()},
   };
   if (!result.closures.verdicts.empty()) {
     table.rows.push_back({"loop closures", ClosuresLine(result.closures)});
   }
   if (!result.unknown_label_ids.empty()) {
-    table.rows.push_back({"unknown labels", UnknownLabels(result.unknown_label_ids)});
+    table.rows.push_back({"unknown labels", UnknownLabelsText(result.unknown_label_ids)});
   }
   for (const std::string& note : result.notes) table.rows.push_back({"note", note});
   return table;
 }
 
-Table Accuracy(const std::optional<evaluation::Evaluation>& evaluation) {
-  Table table{"Accuracy", {}, {}};
-  if (!evaluation.has_value()) {
-    table.rows = {{"ground truth", "none"}};
-    return table;
+// The figures of an evaluation, in the order of AccuracyNames().
+std::vector<std::string> AccuracyFigures(const evaluation::Evaluation& evaluation) {
+  const evaluation::Metrics metrics = evaluation::MetricsOf(evaluation);
+  return {FigureText(metrics.rte_percent, 3, "%"), FigureText(metrics.rte_deg_per_m, 5, "°/m"),
+          FigureText(metrics.ate_3d_m, 3, "m"), FigureText(metrics.ate_2d_m, 3, "m"),
+          absl::StrFormat("%.3f m, %.2f°", evaluation.final_error.position_error_m,
+                          evaluation.final_error.rotation_error_deg)};
+}
+
+std::vector<std::string> AccuracyNames() {
+  return {"RTE, translation", "RTE, rotation", "ATE in space", "ATE in the plane", "last pose off"};
+}
+
+Table Accuracy(const RunResult& result) {
+  if (!result.evaluation.has_value()) {
+    return {"Accuracy", "", {}, {{"ground truth", "none"}}};
   }
-  const evaluation::Metrics metrics = evaluation::MetricsOf(*evaluation);
-  table.rows = {
-      {"driven", absl::StrFormat("%.1f m", evaluation->driven_m)},
-      {"RTE, translation", Figure(metrics.rte_percent, 3, "%")},
-      {"RTE, rotation", Figure(metrics.rte_deg_per_m, 5, "deg/m")},
-      {"ATE in space", Figure(metrics.ate_3d_m, 3, "m")},
-      {"ATE in the plane", Figure(metrics.ate_2d_m, 3, "m")},
-      {"last pose",
-       absl::StrFormat("%.3f m, %.2f deg off", evaluation->final_error.position_error_m,
-                       evaluation->final_error.rotation_error_deg)},
+  Table table{"Accuracy", "", {"", "map"}, {}};
+  for (const std::string& name : AccuracyNames()) table.rows.push_back({name});
+  const auto add_column = [&](const evaluation::Evaluation& evaluation) {
+    const std::vector<std::string> figures = AccuracyFigures(evaluation);
+    for (size_t i = 0; i < figures.size(); ++i) table.rows[i].push_back(figures[i]);
   };
+  add_column(*result.evaluation);
+  if (!result.closures.closures.empty()) {
+    table.header.push_back("odometry");
+    add_column(*result.odometry_evaluation);
+  }
   return table;
 }
 
+// The words of cartographer::pose_graph::VerdictCounts for people.
+std::string MeaningOf(const std::string& verdict) {
+  static const auto& meanings = *new std::map<std::string, std::string>{
+      {"accepted", "became a loop closure"},
+      {"no_match", "no pose in the plane scored well enough"},
+      {"no_agreement", "no other closure nearby said the same"},
+      {"icp_failed", "could not be registered in space"},
+      {"too_few_points", "too little that both saw"},
+      {"low_overlap", "much of what the scan saw is not there"},
+      {"low_inlier_ratio", "what is there has another shape or other labels"},
+      {"large_error", "nearly fits, but not as the same place would"},
+      {"large_correction", "registration in space contradicts the match in the plane"},
+      {"height_mismatch", "the grounds do not meet"},
+      {"degenerate", "the surroundings leave a direction open"}};
+  const auto found = meanings.find(verdict);
+  return found == meanings.end() ? "" : found->second;
+}
+
+std::vector<Table> Candidates(const RunResult& result) {
+  if (result.closures.verdicts.empty()) return {};
+  Table table{"Candidates for loop closure",
+              "What became of the places that might have been seen before.",
+              {"verdict", "candidates", ""},
+              {}};
+  std::vector<std::pair<std::string, int>> verdicts(result.closures.verdicts.begin(),
+                                                    result.closures.verdicts.end());
+  std::stable_sort(verdicts.begin(), verdicts.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  for (const auto& [verdict, count] : verdicts) {
+    table.rows.push_back({verdict, absl::StrCat(count), MeaningOf(verdict)});
+  }
+  return {table};
+}
+
 Table StageTable(const StageTimes& times) {
-  Table table{"Time of the stages", {"stage", "median ms", "95 % ms", "total s"}, {}};
+  Table table{"Time of the stages", "", {"stage", "median ms", "95 % ms", "total s"}, {}};
   for (const auto& [stage, summary] : times.Summaries()) {
     table.rows.push_back({stage, absl::StrFormat("%.2f", summary.median_ms),
                           absl::StrFormat("%.2f", summary.p95_ms),
@@ -94,47 +173,41 @@ Table StageTable(const StageTimes& times) {
   return table;
 }
 
-std::string AccuracyLine(const evaluation::Evaluation& evaluation) {
-  const evaluation::Metrics metrics = evaluation::MetricsOf(evaluation);
-  return absl::StrCat(
-      "RTE ", Figure(metrics.rte_percent, 3, "%"), ", ATE-3D ", Figure(metrics.ate_3d_m, 3, "m"),
-      ", ATE-2D ", Figure(metrics.ate_2d_m, 3, "m"),
-      absl::StrFormat(", last pose off by %.3f m", evaluation.final_error.position_error_m));
+std::vector<Table> ChangedOptions(const RunResult& result) {
+  const auto defaults = LoadConfiguration(
+      absl::StrCat(InstalledConfigurationDirectory(), "/", kDefaultConfiguration));
+  if (!defaults.ok()) return {};
+  Table table{"Changed options",
+              absl::StrCat("Where the configuration differs from ", kDefaultConfiguration, "."),
+              {"option", "here", "there"},
+              {}};
+  for (const auto& difference : Differences(result.map.configuration_lua, defaults->lua)) {
+    table.rows.push_back({difference.key, difference.value, difference.other});
+  }
+  if (table.rows.empty()) table = {"Changed options", "", {}, {{"none", kDefaultConfiguration}}};
+  return {table};
 }
 
 }  // namespace
 
-std::string RunReport(const RunResult& result, absl::string_view map_image) {
-  report::Page page;
-  page.title = "Semantic KISS: report of a run";
-  page.subtitle = absl::StrCat("semantic_kiss ", Version());
-  page.image_png = std::string(map_image);
-  page.tables = {AboutTheRun(result), Accuracy(result.evaluation),
-                 StageTable(result.drive.stage_times)};
-  page.code_heading = "Configuration";
-  page.code = result.map.configuration_lua;
-  return report::Html(page);
-}
-
-std::string RunSummary(const RunResult& result, const std::string& directory,
-                       const Terminal& terminal) {
-  const bool complete = result.drive.num_scans == result.scans_available;
-  std::string summary =
-      SummaryLine(terminal, complete ? Style::kGreen : Style::kYellow, "scans",
-                  absl::StrFormat("%s, %.1f a second, peak memory %.0f MiB", Scans(result),
-                                  ScansPerSecond(result.drive), PeakMemory_mib()));
-  const auto add = [&](absl::string_view heading, const std::string& text) {
-    summary += SummaryLine(terminal, Style::kBold, heading, text);
-  };
-  add("odometry", Outcomes(result.drive));
-  add("map",
-      absl::StrFormat("%d nodes, %d submaps", result.map.nodes.size(), result.map.submaps.size()));
-  if (!result.closures.verdicts.empty()) add("loops", ClosuresLine(result.closures));
-  if (result.evaluation.has_value()) add("accuracy", AccuracyLine(*result.evaluation));
-  if (!result.unknown_label_ids.empty()) add("unlabeled", UnknownLabels(result.unknown_label_ids));
-  for (const std::string& note : result.notes) add("note", note);
-  // As it is: a path may hold blanks.
-  return absl::StrCat(summary, Styled(terminal, Style::kBold, "output"), "    ", directory, "\n");
+report::Report RunReport(const RunResult& result, report::MapLayers layers) {
+  report::Report report;
+  const double driven_m = Driven_m(result);
+  report.title = "A drive of " + (driven_m < kKilometre_m
+                                      ? absl::StrFormat("%.0f m", driven_m)
+                                      : absl::StrFormat("%.1f km", driven_m / kKilometre_m));
+  report.subtitle = absl::StrCat("semantic_kiss ", Version(), ", ", ScansText(result), " scans");
+  report.figures = HeadlineFigures(result);
+  report.maps.push_back(RunMapView(result, std::move(layers)));
+  report.charts = RunCharts(result);
+  report.tables = {AboutTheRun(result), Accuracy(result)};
+  for (const auto& tables : {Candidates(result), ChangedOptions(result)}) {
+    report.tables.insert(report.tables.end(), tables.begin(), tables.end());
+  }
+  report.tables.push_back(StageTable(result.drive.stage_times));
+  report.code_heading = "The whole configuration";
+  report.code = result.map.configuration_lua;
+  return report;
 }
 
 }  // namespace semantic_kiss::cli

@@ -6,18 +6,14 @@
 
 #include <string>
 
-#include "absl/strings/string_view.h"
 #include "semantic_kiss/cli/run_result.h"
-#include "semantic_kiss/cli/terminal.h"
+#include "semantic_kiss/report/map_layers.h"
+#include "semantic_kiss/report/report.h"
 
 namespace semantic_kiss::cli {
 
-// The content of report.html. `map_image` is a PNG file's.
-std::string RunReport(const RunResult& result, absl::string_view map_image);
-
-// What a run's last lines on the terminal tell, `directory` being where its files are.
-std::string RunSummary(const RunResult& result, const std::string& directory,
-                       const Terminal& terminal);
+// What report.html says of a run. `layers` is the run's map, taken apart.
+report::Report RunReport(const RunResult& result, report::MapLayers layers);
 
 }  // namespace semantic_kiss::cli
 

@@ -25,13 +25,16 @@ Poses AsInFiles(const Poses& lidar_poses, const std::optional<Rigid3d>& camera_f
 }
 
 // Only where there is ground truth.
-absl::StatusOr<evaluation::Evaluation> EvaluateRun(const dataset::ScanSource& scans,
-                                                   const Poses& trajectory) {
-  const Poses truth(scans.ground_truth()->begin(),
-                    scans.ground_truth()->begin() + trajectory.size());
+absl::Status EvaluateRun(const dataset::ScanSource& scans, RunResult* result) {
+  result->true_lidar_poses.assign(scans.ground_truth()->begin(),
+                                  scans.ground_truth()->begin() + result->trajectory.size());
   const auto& camera_from_sensor = scans.camera_from_sensor();
-  return evaluation::Evaluate(AsInFiles(truth, camera_from_sensor), trajectory,
-                              camera_from_sensor ? VehicleFrame::kCamera : VehicleFrame::kLidar);
+  const Poses truth = AsInFiles(result->true_lidar_poses, camera_from_sensor);
+  const auto frame = camera_from_sensor ? VehicleFrame::kCamera : VehicleFrame::kLidar;
+  ASSIGN_OR_RETURN(result->evaluation, evaluation::Evaluate(truth, result->trajectory, frame));
+  ASSIGN_OR_RETURN(result->odometry_evaluation,
+                   evaluation::Evaluate(truth, result->odometry, frame));
+  return absl::OkStatus();
 }
 
 // The last loop closures are part of the drive's time.
@@ -44,6 +47,14 @@ void FinishMap(cartographer::slam::MapBuilder* map_builder, RunResult* result) {
 }
 
 }  // namespace
+
+Poses RunResult::OdometryInMap() const {
+  if (local_from_lidar.empty()) return {};
+  const Rigid3d map_from_local = map_from_lidar.front() * local_from_lidar.front().inverse();
+  Poses poses;
+  for (const Rigid3d& pose : local_from_lidar) poses.push_back(map_from_local * pose);
+  return poses;
+}
 
 absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveRecord drive,
                                    const dataset::ScanSource& scans,
@@ -59,20 +70,17 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
   result.map.configuration_lua = configuration.lua;
   result.map.history.push_back(absl::StrCat("semantic_kiss ", Version()));
 
-  Poses local_from_lidar;
   for (const cartographer::slam::ScanPose& scan : map_builder->scan_poses()) {
     result.times.push_back(scan.time);
-    local_from_lidar.push_back(scan.local_from_sensor);
+    result.local_from_lidar.push_back(scan.local_from_sensor);
   }
   result.map_from_lidar = cartographer::slam::PlaceScans(result.map, map_builder->scan_poses());
-  result.odometry = AsInFiles(local_from_lidar, scans.camera_from_sensor());
+  result.odometry = AsInFiles(result.local_from_lidar, scans.camera_from_sensor());
   result.trajectory = AsInFiles(result.map_from_lidar, scans.camera_from_sensor());
   result.closures =
       GatherClosures(*map_builder, result.map,
                      scans.ground_truth().has_value() ? &*scans.ground_truth() : nullptr);
-  if (scans.ground_truth().has_value()) {
-    ASSIGN_OR_RETURN(result.evaluation, EvaluateRun(scans, result.trajectory));
-  }
+  if (scans.ground_truth().has_value()) RETURN_IF_ERROR(EvaluateRun(scans, &result));
   return result;
 }
 

@@ -30,11 +30,18 @@ struct RunResult {
   // Poses as files have them: of the camera if the data set has one, else of the lidar. As the
   // odometry saw the drive, and as the map has it.
   std::vector<cartographer::transform::Rigid3d> odometry, trajectory;
-  // Poses of the lidar in the map.
-  std::vector<cartographer::transform::Rigid3d> map_from_lidar;
+  // Poses of the lidar: as the odometry saw the drive, and in the map.
+  std::vector<cartographer::transform::Rigid3d> local_from_lidar, map_from_lidar;
+  // And in truth, in the world of the ground truth; empty if there is none.
+  std::vector<cartographer::transform::Rigid3d> true_lidar_poses;
   cartographer::map::Map map;
   RunClosures closures;
-  std::optional<evaluation::Evaluation> evaluation;  // where there is ground truth
+  // The odometry's drive, from the first scan's place in the map on: what maps are compared with,
+  // also where an earlier map was continued and the two frames have nothing in common.
+  std::vector<cartographer::transform::Rigid3d> OdometryInMap() const;
+
+  // Where there is ground truth: of `trajectory`, and of `odometry`.
+  std::optional<evaluation::Evaluation> evaluation, odometry_evaluation;
 };
 
 // Ends the drive and gathers what is to be told of it, at least one scan (CHECKed). Fails if the

@@ -3,67 +3,88 @@
 
 #include "semantic_kiss/report/html_report.h"
 
-#include "absl/strings/escaping.h"
+#include <utility>
+
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_replace.h"
+#include "semantic_kiss/report/html.h"
+#include "semantic_kiss/report/page_files.h"
+#include "semantic_kiss/report/report_json.h"
 
 namespace semantic_kiss::report {
 namespace {
 
-constexpr char kStyle[] = R"(
-  :root { color-scheme: light dark; }
-  body { font: 15px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 0 auto; padding: 1rem; }
-  h1 { margin-bottom: 0; }
-  .subtitle { opacity: 0.7; margin-top: 0; }
-  img { max-width: 100%; height: auto; border: 1px solid #8884; border-radius: 6px; }
-  .tables { display: flex; flex-wrap: wrap; gap: 0 3rem; }
-  table { border-collapse: collapse; }
-  th, td { text-align: left; padding: 0.15rem 1rem 0.15rem 0; border-bottom: 1px solid #8884;
-           vertical-align: top; }
-  td + td { font-variant-numeric: tabular-nums; }
-  pre { overflow-x: auto; background: #8881; padding: 1rem; border-radius: 6px; }
-)";
-
-std::string Escaped(absl::string_view text) {
-  return absl::StrReplaceAll(
-      text, {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"'", "&#39;"}});
+std::string Element(absl::string_view tag, absl::string_view text) {
+  if (text.empty()) return "";
+  const absl::string_view name = tag.substr(0, tag.find(' '));
+  return absl::StrCat("<", tag, ">", Escaped(text), "</", name, ">");
 }
 
-std::string Row(const std::vector<std::string>& cells, const char* tag) {
+std::string FiguresHtml(const std::vector<Figure>& figures) {
+  std::string html;
+  for (const Figure& figure : figures) {
+    absl::StrAppend(&html, "<div class=\"figure\"><dt>", Escaped(figure.name), "</dt><dd><b>",
+                    Escaped(figure.value), "</b>", Element("span class=\"unit\"", figure.unit),
+                    Element("small", figure.note), "</dd></div>\n");
+  }
+  return html;
+}
+
+std::string Row(const std::vector<std::string>& cells, absl::string_view tag) {
   std::string row = "<tr>";
   for (const std::string& cell : cells) {
-    absl::StrAppend(&row, "<", tag, ">", Escaped(cell), "</", tag, ">");
+    absl::StrAppend(&row, "<", tag, ">", Escaped(cell), "</", tag.substr(0, tag.find(' ')), ">");
   }
   return absl::StrCat(row, "</tr>\n");
 }
 
-std::string Section(const Table& table) {
-  std::string html = absl::StrCat("<section>\n<h2>", Escaped(table.heading), "</h2>\n<table>\n");
-  if (!table.header.empty()) html += Row(table.header, "th");
+std::string TableHtml(const Table& table) {
+  std::string html =
+      absl::StrCat("<section>\n", Element("h2", table.heading),
+                   Element("p class=\"note\"", table.note), "\n<div class=\"scroll\"><table>\n");
+  if (!table.header.empty()) {
+    absl::StrAppend(&html, "<thead>", Row(table.header, "th scope=\"col\""), "</thead>\n");
+  }
+  html += "<tbody>\n";
   for (const auto& row : table.rows) html += Row(row, "td");
-  return absl::StrCat(html, "</table>\n</section>\n");
+  return absl::StrCat(html, "</tbody></table></div>\n</section>\n");
 }
 
-std::string Image(const std::string& png) {
-  if (png.empty()) return "";
-  return absl::StrCat("<img alt=\"The map from above\" src=\"data:image/png;base64,",
-                      absl::Base64Escape(png), "\">\n");
+// The script draws into the figure; a reader without scripts sees heading and note.
+std::string ChartHtml(const Chart& chart, size_t index) {
+  return absl::StrCat("<section class=\"chart\">\n", Element("h2", chart.heading),
+                      "<p class=\"note\">", Escaped(chart.note),
+                      "</p>\n<div class=\"plot\" id=\"chart-", index, "\"></div>\n</section>\n");
+}
+
+std::string CodeHtml(const Report& report) {
+  if (report.code.empty()) return "";
+  return absl::StrCat("<details>\n<summary>", Escaped(report.code_heading),
+                      "</summary>\n<pre tabindex=\"0\">", Escaped(report.code),
+                      "</pre>\n</details>\n");
 }
 
 }  // namespace
 
-std::string Html(const Page& page) {
-  std::string html = absl::StrCat(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n",
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
-      Escaped(page.title), "</title>\n<style>", kStyle, "</style>\n</head>\n<body>\n<h1>",
-      Escaped(page.title), "</h1>\n<p class=\"subtitle\">", Escaped(page.subtitle), "</p>\n");
-  absl::StrAppend(&html, Image(page.image_png), "<div class=\"tables\">\n");
-  for (const Table& table : page.tables) html += Section(table);
-  absl::StrAppend(&html, "</div>\n<details>\n<summary>", Escaped(page.code_heading),
-                  "</summary>\n<pre>", Escaped(page.code), "</pre>\n</details>\n",
-                  "</body>\n</html>\n");
-  return html;
+std::string Html(const Report& report) {
+  using Json = nlohmann::ordered_json;
+  std::string charts, tables;
+  for (size_t i = 0; i < report.charts.size(); ++i) charts += ChartHtml(report.charts[i], i);
+  for (const Table& table : report.tables) tables += TableHtml(table);
+  std::map<std::string, std::string> values = {
+      {"title", Escaped(report.title)},
+      {"subtitle", Escaped(report.subtitle)},
+      {"figures", FiguresHtml(report.figures)},
+      {"charts", std::move(charts)},
+      {"tables", std::move(tables)},
+      {"code", CodeHtml(report)},
+      {"data",
+       JsonForScript(ReportJson(report).dump(-1, ' ', false, Json::error_handler_t::replace))}};
+  for (const char* file :
+       {"leaflet.css", "leaflet.js", "leaflet_license.txt", "page.css", "colors.js", "map_view.js",
+        "drive.js", "panel.js", "closures.js", "charts.js", "page.js"}) {
+    values[file] = PageFile(file);
+  }
+  return FillTemplate(PageFile("page.html"), values);
 }
 
 }  // namespace semantic_kiss::report

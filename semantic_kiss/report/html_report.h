@@ -5,29 +5,14 @@
 #define SEMANTIC_KISS_REPORT_HTML_REPORT_H_
 
 #include <string>
-#include <vector>
+
+#include "semantic_kiss/report/report.h"
 
 namespace semantic_kiss::report {
 
-struct Table {
-  std::string heading;
-  std::vector<std::string> header;  // empty: the table has none
-  std::vector<std::vector<std::string>> rows;
-};
-
-// What a report says, as plain text: it is escaped where HTML needs it.
-struct Page {
-  std::string title;
-  std::string subtitle;
-  std::string image_png;  // bytes of a PNG file; empty: no picture
-  std::vector<Table> tables;
-  std::string code_heading;
-  std::string code;  // shown as it is, folded away
-};
-
-// The page as one file that needs no other: the picture is embedded, nothing is loaded from
-// elsewhere.
-std::string Html(const Page& page);
+// The report as one HTML file that needs no other and no network: pictures, styles and scripts are
+// inside, and the page forbids itself to load anything. The same report gives the same bytes.
+std::string Html(const Report& report);
 
 }  // namespace semantic_kiss::report
 

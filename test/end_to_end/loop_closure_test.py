@@ -6,21 +6,10 @@
 import json
 import os
 import shutil
-import subprocess
 import tempfile
 
-from program import BINARY, REPEATABLE_FILES, ProgramTest, main, read, write
-
-RING_LUA = """
-local options = include "simulation.lua"
-options.lidar = "vlp16"
-options.seed = 4
-options.route.kind = "loop"
-options.route.ring_m = 200.
-options.route.length_m = 300.
-options.label_noise.share = 0.06
-return options
-"""
+from program import REPEATABLE_FILES, ProgramTest, main, read, write
+from ring import simulate_ring
 
 
 class LoopClosureTest(ProgramTest):
@@ -29,9 +18,7 @@ class LoopClosureTest(ProgramTest):
     def setUpClass(cls):
         cls.ring = tempfile.mkdtemp(prefix="semantic_kiss_")
         cls.addClassCleanup(shutil.rmtree, cls.ring)
-        write(os.path.join(cls.ring, "ring.lua"), RING_LUA)
-        subprocess.run([BINARY, "simulate", f"--config={cls.ring}/ring.lua",
-                        f"--output={cls.ring}", "--quiet"], check=True)
+        simulate_ring(cls.ring)
 
     def drive(self, config, *flags, output):
         self.succeed("run", f"--config={config}", f"--dataset={self.ring}",

@@ -12,40 +12,71 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+Report SmallReport() {
+  Report report;
+  report.title = "Title";
+  report.subtitle = "Subtitle";
+  report.figures = {{"Driven", "3.7", "km", "in an hour"}};
+  report.tables = {{"Heading", "Note", {"column"}, {{"cell"}}}, {"Bare", "", {}, {{"one", "two"}}}};
+  Chart chart;
+  chart.heading = "Height";
+  report.charts = {chart};
+  report.code_heading = "Configuration";
+  report.code = "return {\n}";
+  return report;
+}
+
 TEST(HtmlReportTest, ShowsEverythingOnOnePage) {
-  Page page;
-  page.title = "Title";
-  page.subtitle = "Subtitle";
-  page.image_png = "abc";
-  page.tables = {{"Heading", {"column"}, {{"cell"}}}, {"Bare", {}, {{"one", "two"}}}};
-  page.code_heading = "Configuration";
-  page.code = "return {\n}";
-  const std::string html = Html(page);
+  const std::string html = Html(SmallReport());
   EXPECT_THAT(html, HasSubstr("<title>Title</title>"));
-  EXPECT_THAT(html, HasSubstr("Subtitle"));
-  EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,YWJj\""));
-  EXPECT_THAT(html, HasSubstr("<tr><th>column</th></tr>\n<tr><td>cell</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("<p class=\"subtitle\">Subtitle</p>"));
+  EXPECT_THAT(html, HasSubstr("<dt>Driven</dt><dd><b>3.7</b><span class=\"unit\">km</span>"
+                              "<small>in an hour</small></dd>"));
+  EXPECT_THAT(html, HasSubstr("<h2>Heading</h2><p class=\"note\">Note</p>"));
+  EXPECT_THAT(html, HasSubstr("<thead><tr><th scope=\"col\">column</th></tr>\n</thead>"));
   EXPECT_THAT(html, HasSubstr("<tr><td>one</td><td>two</td></tr>"));
-  EXPECT_THAT(html, HasSubstr("<pre>return {\n}</pre>"));
-}
-
-TEST(HtmlReportTest, EscapesText) {
-  Page page;
-  page.title = "<script>";
-  page.tables = {{"a & b", {}, {{"\"quoted\" 'text' <b>"}}}};
-  page.code = "x < y";
-  const std::string html = Html(page);
-  EXPECT_THAT(html, Not(HasSubstr("<script>")));
-  EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
-  EXPECT_THAT(html, HasSubstr("a &amp; b"));
-  EXPECT_THAT(html, HasSubstr("&quot;quoted&quot; &#39;text&#39; &lt;b&gt;"));
-  EXPECT_THAT(html, HasSubstr("x &lt; y"));
-}
-
-TEST(HtmlReportTest, AnEmptyPageHasNoPicture) {
-  const std::string html = Html(Page());
-  EXPECT_THAT(html, Not(HasSubstr("<img")));
+  EXPECT_THAT(html, HasSubstr("id=\"chart-0\""));
+  EXPECT_THAT(html, HasSubstr("<pre tabindex=\"0\">return {\n}</pre>"));
   EXPECT_THAT(html, HasSubstr("</html>\n"));
+}
+
+TEST(HtmlReportTest, TextCannotBecomeMarkup) {
+  const std::string evil = "</script><script>alert(1)</script>";
+  Report report;
+  report.title = report.subtitle = report.code_heading = report.code = evil;
+  report.figures = {{evil, evil, evil, evil}};
+  report.tables = {{evil, evil, {evil}, {{evil}}}};
+  Chart chart;
+  chart.heading = chart.note = chart.x_name = evil;
+  report.charts = {chart};
+  MapView map;
+  map.caption = evil;
+  report.maps = {map};
+  EXPECT_THAT(Html(report), Not(HasSubstr("<script>alert")));
+}
+
+TEST(HtmlReportTest, TextThatIsNotUtf8IsSurvived) {
+  Report report;
+  Chart chart;
+  chart.heading = "\xff";
+  report.charts = {chart};
+  EXPECT_THAT(Html(report), HasSubstr("</html>\n"));
+}
+
+TEST(HtmlReportTest, LoadsNothingFromElsewhere) {
+  const std::string html = Html(SmallReport());
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(html, Not(HasSubstr("<link rel=\"stylesheet\"")));
+  EXPECT_THAT(html, Not(HasSubstr("@import")));
+}
+
+TEST(HtmlReportTest, CarriesTheMapViewersLicence) {
+  EXPECT_THAT(Html(Report()), HasSubstr("Copyright (c) 2010-2019, Vladimir Agafonkin"));
+}
+
+TEST(HtmlReportTest, TheSameReportGivesTheSameBytes) {
+  EXPECT_EQ(Html(SmallReport()), Html(SmallReport()));
 }
 
 }  // namespace
