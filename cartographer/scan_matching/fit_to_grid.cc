@@ -1,0 +1,103 @@
+// Copyright 2026 The Semantic KISS Authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cartographer/scan_matching/fit_to_grid.h"
+
+#include <cmath>
+
+#include "ceres/cost_function.h"
+#include "ceres/problem.h"
+#include "ceres/solver.h"
+#include "glog/logging.h"
+
+namespace cartographer::scan_matching {
+namespace {
+
+class Cost : public ceres::CostFunction {
+ public:
+  explicit Cost(const GridFitResiduals& residuals) : residuals_(residuals) {
+    set_num_residuals(residuals.size());
+    mutable_parameter_block_sizes()->push_back(3);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const double* const pose = parameters[0];
+    residuals_.Evaluate({{pose[0], pose[1]}, pose[2]}, residuals,
+                        jacobians == nullptr ? nullptr : jacobians[0]);
+    return true;
+  }
+
+ private:
+  const GridFitResiduals& residuals_;
+};
+
+}  // namespace
+
+GridFitResiduals::GridFitResiduals(const submap::ProbabilityGrid& grid,
+                                   const std::vector<Eigen::Vector2d>& points,
+                                   const PlanarPose& grid_from_expected,
+                                   const proto::GridFitOptions& options)
+    : surface_(grid), points_(points), expected_(grid_from_expected), options_(options) {
+  CHECK(!points.empty());
+}
+
+void GridFitResiduals::Evaluate(const PlanarPose& grid_from_scan, double* residuals,
+                                double* jacobian) const {
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(grid_from_scan.yaw_rad).toRotationMatrix();
+  const double scale =
+      options_.occupied_space_weight() / std::sqrt(static_cast<double>(points_.size()));
+  for (const Eigen::Vector2d& point : points_) {
+    const Eigen::Vector2d arm = rotation * point;
+    const auto sample = surface_.At(arm + grid_from_scan.translation);
+    *residuals++ = scale * (1. - sample.value);
+    if (jacobian == nullptr) continue;
+    *jacobian++ = -scale * sample.gradient.x();
+    *jacobian++ = -scale * sample.gradient.y();
+    *jacobian++ = -scale * (sample.gradient.y() * arm.x() - sample.gradient.x() * arm.y());
+  }
+  const Eigen::Vector3d weights(options_.translation_weight_per_m(),
+                                options_.translation_weight_per_m(),
+                                options_.rotation_weight_per_rad());
+  Eigen::Vector3d moved;
+  moved << grid_from_scan.translation - expected_.translation,
+      std::remainder(grid_from_scan.yaw_rad - expected_.yaw_rad, 2. * M_PI);
+  Eigen::Map<Eigen::Vector3d> last_residuals(residuals);
+  last_residuals = weights.cwiseProduct(moved);
+  if (jacobian == nullptr) return;
+  Eigen::Map<Eigen::Matrix3d> last_rows(jacobian);
+  last_rows = weights.asDiagonal();
+}
+
+GridFit FitToGrid(const submap::ProbabilityGrid& grid, const std::vector<Eigen::Vector2d>& points,
+                  const PlanarPose& grid_from_expected, const PlanarPose& grid_from_guess,
+                  const proto::GridFitOptions& options) {
+  GridFit fit;
+  fit.grid_from_scan = grid_from_guess;
+  if (points.empty()) return fit;
+  const GridFitResiduals residuals(grid, points, grid_from_expected, options);
+  double pose[] = {grid_from_guess.translation.x(), grid_from_guess.translation.y(),
+                   grid_from_guess.yaw_rad};
+  ceres::Problem problem;
+  problem.AddResidualBlock(new Cost(residuals), nullptr, pose);
+  ceres::Solver::Options solver_options;
+  solver_options.max_num_iterations = options.max_iterations();
+  solver_options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  solver_options.num_threads = 1;
+  solver_options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver_options, &problem, &summary);
+  fit.usable = summary.IsSolutionUsable();
+  if (fit.usable) {
+    fit.grid_from_scan = {{pose[0], pose[1]}, std::remainder(pose[2], 2. * M_PI)};
+  }
+  const ProbabilitySurface surface(grid);
+  const Eigen::Rotation2Dd rotation(fit.grid_from_scan.yaw_rad);
+  for (const Eigen::Vector2d& point : points) {
+    fit.score += surface.At(rotation * point + fit.grid_from_scan.translation).value;
+  }
+  fit.score /= static_cast<double>(points.size());
+  return fit;
+}
+
+}  // namespace cartographer::scan_matching
