@@ -15,8 +15,8 @@ PLANAR_BUILDER = {
   },
   matched_points = {
     max_range_m = 60.0,
-    max_voxel_size_m = 0.9,
-    min_points = 1000,
+    max_voxel_size_m = 0.5,
+    min_points = 2500,
   },
   min_points = 50,
   correlative_search = {
@@ -45,7 +45,7 @@ PLANAR_BUILDER = {
     max_angle_deg = 1.0,
   },
   submaps = {
-    scans_per_submap = 40,
+    scans_per_submap = 80,
     grid = {
       resolution_m = 0.1,
       hit_probability = 0.55,
