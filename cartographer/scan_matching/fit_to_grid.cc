@@ -5,34 +5,9 @@
 
 #include <cmath>
 
-#include "ceres/cost_function.h"
-#include "ceres/problem.h"
-#include "ceres/solver.h"
 #include "glog/logging.h"
 
 namespace cartographer::scan_matching {
-namespace {
-
-class Cost : public ceres::CostFunction {
- public:
-  explicit Cost(const GridFitResiduals& residuals) : residuals_(residuals) {
-    set_num_residuals(residuals.size());
-    mutable_parameter_block_sizes()->push_back(3);
-  }
-
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const double* const pose = parameters[0];
-    residuals_.Evaluate({{pose[0], pose[1]}, pose[2]}, residuals,
-                        jacobians == nullptr ? nullptr : jacobians[0]);
-    return true;
-  }
-
- private:
-  const GridFitResiduals& residuals_;
-};
-
-}  // namespace
 
 GridFitResiduals::GridFitResiduals(const submap::ProbabilityGrid& grid,
                                    const std::vector<Eigen::Vector2d>& points,
@@ -76,21 +51,10 @@ GridFit FitToGrid(const submap::ProbabilityGrid& grid, const std::vector<Eigen::
   fit.grid_from_scan = grid_from_guess;
   if (points.empty()) return fit;
   const GridFitResiduals residuals(grid, points, grid_from_expected, options);
-  double pose[] = {grid_from_guess.translation.x(), grid_from_guess.translation.y(),
-                   grid_from_guess.yaw_rad};
-  ceres::Problem problem;
-  problem.AddResidualBlock(new Cost(residuals), nullptr, pose);
-  ceres::Solver::Options solver_options;
-  solver_options.max_num_iterations = options.max_iterations();
-  solver_options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver_options.num_threads = 1;
-  solver_options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options, &problem, &summary);
-  fit.usable = summary.IsSolutionUsable();
-  if (fit.usable) {
-    fit.grid_from_scan = {{pose[0], pose[1]}, std::remainder(pose[2], 2. * M_PI)};
-  }
+  const PlanarSolution solution = SolveInPlane(residuals, grid_from_guess, options.max_iterations(),
+                                               options.function_tolerance());
+  fit.usable = solution.usable;
+  if (fit.usable) fit.grid_from_scan = solution.pose;
   const ProbabilitySurface surface(grid);
   const Eigen::Rotation2Dd rotation(fit.grid_from_scan.yaw_rad);
   for (const Eigen::Vector2d& point : points) {

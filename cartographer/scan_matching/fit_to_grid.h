@@ -10,6 +10,7 @@
 #include "cartographer/scan_matching/planar_pose.h"
 #include "cartographer/scan_matching/probability_surface.h"
 #include "cartographer/scan_matching/proto/planar_matching_options.pb.h"
+#include "cartographer/scan_matching/solve_in_plane.h"
 #include "cartographer/submap/probability_grid.h"
 
 namespace cartographer::scan_matching {
@@ -24,16 +25,15 @@ namespace cartographer::scan_matching {
 // scan that shows nothing in some direction should not move away.
 // Source: Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016, section IV-C; the
 // terms of the expected pose as in Cartographer's code.
-class GridFitResiduals {
+class GridFitResiduals : public PlanarResiduals {
  public:
   // Keeps references: all must outlive this. There must be points (CHECKed).
   GridFitResiduals(const submap::ProbabilityGrid& grid, const std::vector<Eigen::Vector2d>& points,
                    const PlanarPose& grid_from_expected, const proto::GridFitOptions& options);
 
-  int size() const { return static_cast<int>(points_.size()) + 3; }
-  // size() residuals at a pose and, unless `jacobian` is null, their derivatives by (x, y, yaw),
-  // residual by residual.
-  void Evaluate(const PlanarPose& grid_from_scan, double* residuals, double* jacobian) const;
+  int size() const override { return static_cast<int>(points_.size()) + 3; }
+  void Evaluate(const PlanarPose& grid_from_scan, double* residuals,
+                double* jacobian) const override;
 
  private:
   const ProbabilitySurface surface_;

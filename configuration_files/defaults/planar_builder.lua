@@ -38,6 +38,7 @@ PLANAR_BUILDER = {
     translation_weight_per_m = 1.0,
     rotation_weight_per_rad = 1.0,
     max_iterations = 20,
+    function_tolerance = 1e-6,
   },
   motion_filter = {
     max_time_s = 5.0,

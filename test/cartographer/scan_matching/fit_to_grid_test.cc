@@ -19,6 +19,7 @@ proto::GridFitOptions Options() {
   options.set_translation_weight_per_m(0.1);
   options.set_rotation_weight_per_rad(0.1);
   options.set_max_iterations(30);
+  options.set_function_tolerance(1e-6);
   return options;
 }
 
