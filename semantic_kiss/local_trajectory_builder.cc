@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "cartographer/common/status.h"
 #include "cartographer/common/stopwatch.h"
 #include "google/protobuf/message.h"
+#include "semantic_kiss/odometry/label_rules.h"
 
 namespace semantic_kiss {
 
@@ -60,6 +62,9 @@ void RegisterLocalTrajectoryBuilder(cartographer::slam::LocalTrajectoryBuilderRe
               absl::StrCat("options of \"semantic_kiss\" are of type ", options.GetTypeName(),
                            " in place of semantic_kiss.proto.SemanticKissOptions"));
         }
+        RETURN_IF_ERROR(cartographer::common::AddContext(
+            odometry::LabelRules::Create(semantic_kiss_options->odometry(), labels).status(),
+            "local_trajectory_builder.semantic_kiss.odometry"));
         return std::make_unique<LocalTrajectoryBuilder>(*semantic_kiss_options, labels);
       });
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "cartographer/common/status.h"
-#include "cartographer/map/label_choice.h"
 
 namespace cartographer::io {
 namespace {
@@ -16,7 +15,7 @@ using sensor::LabelMask;
 
 absl::StatusOr<LabelMask> Named(const google::protobuf::RepeatedPtrField<std::string>& names,
                                 const char* option, const sensor::LabelSet& labels) {
-  absl::StatusOr<LabelMask> mask = map::LabelsNamed(names, labels);
+  absl::StatusOr<LabelMask> mask = labels.FromNames(names);
   if (!mask.ok()) return common::AddContext(mask.status(), option);
   return mask;
 }

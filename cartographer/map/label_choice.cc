@@ -33,12 +33,6 @@ absl::Status AddWithRoles(const Words& words, const sensor::LabelSet& labels,
 
 }  // namespace
 
-absl::StatusOr<sensor::LabelMask> LabelsNamed(const Words& names, const sensor::LabelSet& labels) {
-  sensor::LabelMask mask;
-  RETURN_IF_ERROR(AddNamed(names, labels, &mask));
-  return mask;
-}
-
 absl::StatusOr<sensor::LabelMask> LabelsToRemove(const proto::FilterOptions& options,
                                                  const sensor::LabelSet& labels) {
   const bool removes = !options.remove().empty() || !options.remove_roles().empty();

@@ -4,17 +4,11 @@
 #ifndef CARTOGRAPHER_MAP_LABEL_CHOICE_H_
 #define CARTOGRAPHER_MAP_LABEL_CHOICE_H_
 
-#include <string>
-
 #include "absl/status/statusor.h"
 #include "cartographer/map/proto/filter_options.pb.h"
 #include "cartographer/sensor/label_set.h"
 
 namespace cartographer::map {
-
-// The labels of that name. Errors tell the nearest name.
-absl::StatusOr<sensor::LabelMask> LabelsNamed(
-    const google::protobuf::RepeatedPtrField<std::string>& names, const sensor::LabelSet& labels);
 
 // The labels that the options remove: those named by `remove` and `remove_roles`, or all but those
 // named by `keep` and `keep_roles`; none if nothing is named. Errors begin with the option: an

@@ -15,20 +15,26 @@ namespace cartographer::registration {
 
 // Nearest neighbours for a cloud that moves a little at a time, as in ICP. Each search also tells
 // how far every other point is, so as long as a query has moved less than half of the difference
-// its neighbour is still the nearest and need not be searched again. The answers are those of
-// LabeledVoxelMap::FindNearest(), only most of them come for free: after a few iterations of ICP
-// nearly all.
+// its neighbour is still the nearest and need not be searched again. The answers are those of the
+// map, only most of them come for free: after a few iterations of ICP nearly all.
 class CorrespondenceSearch {
  public:
-  // The map must outlive this object and must not change.
-  CorrespondenceSearch(const LabeledVoxelMap& map, double max_distance_m, size_t num_points)
-      : map_(map), max_distance_m_(max_distance_m), memory_(num_points) {}
+  // With an `agreeing_factor` of 1 neighbours are those of FindNearest(), else those of
+  // FindPreferred(). The map must outlive this object and must not change.
+  CorrespondenceSearch(const LabeledVoxelMap& map, double max_distance_m, double agreeing_factor,
+                       size_t num_points)
+      : map_(map),
+        max_distance_m_(max_distance_m),
+        agreeing_factor_(agreeing_factor),
+        memory_(num_points) {}
 
-  // The map's point nearest to point `index` of the cloud, which is now at `query`; nullopt if none
-  // is nearer than `max_distance_m`. May be called in parallel for different points.
-  std::optional<LabeledVoxelMap::Neighbor> Find(size_t index, const Eigen::Vector3d& query) {
+  // The map's point nearest to point `index` of the cloud, which has `label` and is now at `query`;
+  // nullopt if that is not nearer than `max_distance_m`. May be called in parallel for different
+  // points.
+  std::optional<LabeledVoxelMap::Neighbor> Find(size_t index, const Eigen::Vector3d& query,
+                                                sensor::Label label) {
     Memory& memory = memory_[index];
-    if (!StillHolds(memory, query)) Search(query, &memory);
+    if (!StillHolds(memory, query)) Search(query, label, &memory);
     if (!memory.neighbor.has_value() ||
         (memory.neighbor->position - query).squaredNorm() >= max_distance_m_ * max_distance_m_) {
       return std::nullopt;
@@ -52,10 +58,12 @@ class CorrespondenceSearch {
            (query - memory.query).squaredNorm() < memory.free_motion_m * memory.free_motion_m &&
            (map_.VoxelAt(query) == memory.voxel).all();
   }
-  void Search(const Eigen::Vector3d& query, Memory* memory) const;
+  void Search(const Eigen::Vector3d& query, sensor::Label label, Memory* memory) const;
+  void SearchPreferred(const Eigen::Vector3d& query, sensor::Label label, Memory* memory) const;
 
   const LabeledVoxelMap& map_;
   const double max_distance_m_;
+  const double agreeing_factor_;
   std::vector<Memory> memory_;
 };
 

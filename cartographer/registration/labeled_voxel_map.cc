@@ -18,6 +18,7 @@ namespace {
 constexpr uint32_t kLanes = 4;
 using Floats = float __attribute__((vector_size(16)));
 using Ints = int32_t __attribute__((vector_size(16)));
+using Bytes = uint8_t __attribute__((vector_size(4)));
 
 // How much farther [voxels] than the best point so far the search looks, only to tell how much
 // farther the second best is. Larger values make a search slower and its answer valid for longer.
@@ -44,6 +45,31 @@ Floats SquaredDistances(const float* x, uint32_t stride, const Eigen::Vector3f& 
 }
 
 bool AnyLane(const Ints& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+// Measures of points: distance alone.
+struct ByDistance {
+  Floats Weigh(const Floats& squared_distances, const sensor::Label*) const {
+    return squared_distances;
+  }
+  // What squared distances are multiplied by at least.
+  float smallest_factor() const { return 1.f; }
+};
+
+// The same, but points whose label agrees with `label`, or has nothing to disagree with, count as
+// nearer.
+struct ByDistanceAndLabel {
+  Floats Weigh(const Floats& squared_distances, const sensor::Label* labels) const {
+    Bytes bytes;
+    __builtin_memcpy(&bytes, labels, sizeof(bytes));
+    const Ints theirs = __builtin_convertvector(bytes, Ints);
+    const Ints agrees = (theirs == label) | (theirs == static_cast<int32_t>(sensor::kUnlabeled));
+    return agrees ? squared_distances * agreeing_factor : squared_distances;
+  }
+  float smallest_factor() const { return agreeing_factor; }
+
+  int32_t label;
+  float agreeing_factor;
+};
 
 uint32_t RoundUpToLanes(uint32_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
@@ -83,7 +109,7 @@ struct LabeledVoxelMap::Search {
   float squared_nearest;
   float squared_horizon;
   float squared_others = std::numeric_limits<float>::max();
-  VoxelCoordinates voxel;
+  VoxelCoordinates voxel{0, 0, 0};
   uint32_t block = VoxelIndex::kNone;
   uint32_t slot = 0;
 };
@@ -95,7 +121,10 @@ LabeledVoxelMap::LabeledVoxelMap(const proto::VoxelMapOptions& options,
       max_ordinary_(options.max_points_per_voxel()),
       max_critical_(options.max_critical_points_per_voxel()),
       min_squared_distance_(
-          static_cast<float>(voxel_size_ * voxel_size_ / options.max_points_per_voxel())),
+          options.allow_crowding()
+              ? 0.f
+              : static_cast<float>(voxel_size_ * voxel_size_ / options.max_points_per_voxel())),
+      displace_unlabeled_(options.displace_unlabeled()),
       block_capacity_(RoundUpToLanes(options.max_points_per_voxel())),
       critical_(critical) {
   CHECK_GT(voxel_size_, 0.);
@@ -125,14 +154,30 @@ void LabeledVoxelMap::InsertPoint(const Eigen::Vector3d& point, sensor::Label la
   }
   Voxel& voxel = found == VoxelIndex::kNone ? voxels_.back() : voxels_[found];
   const bool critical = critical_.Contains(label);
-  if (!HasRoom(voxel, offset, critical)) return;
-  Append(&voxel, offset, label, certainty);
+  if (HasRoom(voxel, offset, critical)) {
+    Append(&voxel, offset, label, certainty);
+  } else if (displace_unlabeled_ && label != sensor::kUnlabeled) {
+    Displace(voxel, offset, label, certainty);
+  }
+}
+
+void LabeledVoxelMap::Displace(const Voxel& voxel, const Eigen::Vector3f& offset,
+                               sensor::Label label, float certainty) {
+  for (uint32_t block = voxel.first_block; block != VoxelIndex::kNone;
+       block = blocks_[block].next) {
+    for (uint32_t slot = 0; slot < blocks_[block].size; ++slot) {
+      if (labels_[size_t{block} * block_capacity_ + slot] != sensor::kUnlabeled) continue;
+      Store(block, slot, offset, label, certainty);
+      return;
+    }
+  }
 }
 
 bool LabeledVoxelMap::HasRoom(const Voxel& voxel, const Eigen::Vector3f& offset,
                               bool critical) const {
   if (critical && voxel.num_critical < max_critical_) return true;
   if (voxel.num_ordinary >= max_ordinary_) return false;
+  if (min_squared_distance_ == 0.f) return true;
   for (uint32_t block = voxel.first_block; block != VoxelIndex::kNone;
        block = blocks_[block].next) {
     Ints too_close = {};
@@ -155,14 +200,18 @@ void LabeledVoxelMap::Append(Voxel* voxel, const Eigen::Vector3f& offset, sensor
     }
     block = blocks_[block].next;
   }
-  const uint32_t slot = blocks_[block].size++;
+  Store(block, blocks_[block].size++, offset, label, certainty);
+  const bool counts_as_critical = critical_.Contains(label) && voxel->num_critical < max_critical_;
+  ++(counts_as_critical ? voxel->num_critical : voxel->num_ordinary);
+  ++num_points_;
+}
+
+void LabeledVoxelMap::Store(uint32_t block, uint32_t slot, const Eigen::Vector3f& offset,
+                            sensor::Label label, float certainty) {
   float* const coordinates = Coordinates(block);
   for (int axis = 0; axis < 3; ++axis) coordinates[axis * block_capacity_ + slot] = offset[axis];
   labels_[size_t{block} * block_capacity_ + slot] = label;
   certainties_[size_t{block} * block_capacity_ + slot] = certainty;
-  const bool counts_as_critical = critical_.Contains(label) && voxel->num_critical < max_critical_;
-  ++(counts_as_critical ? voxel->num_critical : voxel->num_ordinary);
-  ++num_points_;
 }
 
 uint32_t LabeledVoxelMap::NewBlock() {
@@ -221,7 +270,8 @@ void LabeledVoxelMap::Clear() {
   num_points_ = 0;
 }
 
-void LabeledVoxelMap::SearchVoxel(const VoxelCoordinates& coordinates,
+template <typename Measure>
+void LabeledVoxelMap::SearchVoxel(const Measure& measure, const VoxelCoordinates& coordinates,
                                   const Eigen::Vector3f& query_offset, Search* search) const {
   const uint32_t found = index_.Find(KeyOf(coordinates));
   if (found == VoxelIndex::kNone) return;
@@ -233,7 +283,8 @@ void LabeledVoxelMap::SearchVoxel(const VoxelCoordinates& coordinates,
     Ints where = Ints{} - 1;
     for (uint32_t i = 0; i < blocks_[block].size; i += kLanes) {
       const Floats distance =
-          SquaredDistances(Coordinates(block) + i, block_capacity_, query_offset);
+          measure.Weigh(SquaredDistances(Coordinates(block) + i, block_capacity_, query_offset),
+                        &labels_[size_t{block} * block_capacity_ + i]);
       const Ints nearer = distance < nearest;
       const Floats loser = nearer ? nearest : distance;
       second = loser < second ? loser : second;
@@ -252,12 +303,34 @@ void LabeledVoxelMap::SearchVoxel(const VoxelCoordinates& coordinates,
 
 LabeledVoxelMap::Nearest LabeledVoxelMap::FindNearest(const Eigen::Vector3d& query,
                                                       double max_distance_m) const {
+  return FindBy(ByDistance(), query, max_distance_m);
+}
+
+LabeledVoxelMap::Nearest LabeledVoxelMap::FindPreferred(const Eigen::Vector3d& query,
+                                                        sensor::Label label,
+                                                        double agreeing_factor) const {
+  // Farther than the 27 voxels reach, nearer than empty slots are.
+  const double everywhere_m = 4. * voxel_size_;
+  if (label == sensor::kUnlabeled) {
+    Nearest nearest = FindBy(ByDistance(), query, everywhere_m);
+    nearest.others_beyond_m *= static_cast<float>(std::sqrt(agreeing_factor));
+    return nearest;
+  }
+  return FindBy(
+      ByDistanceAndLabel{static_cast<int32_t>(label), static_cast<float>(agreeing_factor)}, query,
+      everywhere_m);
+}
+
+template <typename Measure>
+LabeledVoxelMap::Nearest LabeledVoxelMap::FindBy(const Measure& measure,
+                                                 const Eigen::Vector3d& query,
+                                                 double max_distance_m) const {
   const VoxelCoordinates voxel = VoxelAt(query);
   const Eigen::Vector3f offset = (query - Corner(voxel)).cast<float>();
   const float size = static_cast<float>(voxel_size_);
-  // Squared distances to the near sides of the neighbours below and above, by axis.
-  const Eigen::Array3f below = offset.array().square();
-  const Eigen::Array3f above = (size - offset.array()).square();
+  // The least measure of points in the neighbours below and above, by axis.
+  const Eigen::Array3f below = measure.smallest_factor() * offset.array().square();
+  const Eigen::Array3f above = measure.smallest_factor() * (size - offset.array()).square();
   const auto gap = [&](int axis, int shift) {
     return shift == 0 ? 0.f : shift < 0 ? below[axis] : above[axis];
   };
@@ -275,7 +348,7 @@ LabeledVoxelMap::Nearest LabeledVoxelMap::FindNearest(const Eigen::Vector3d& que
       for (const int x : kNearShiftsFirst) {
         if (!search.MayHelp(gap(2, z) + gap(1, y) + gap(0, x))) continue;
         const Eigen::Array3i shift(x, y, z);
-        SearchVoxel(voxel + shift, offset - shift.cast<float>().matrix() * size, &search);
+        SearchVoxel(measure, voxel + shift, offset - shift.cast<float>().matrix() * size, &search);
       }
     }
   }

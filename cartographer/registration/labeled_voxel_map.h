@@ -22,7 +22,8 @@ namespace cartographer::registration {
 // Space is cut into voxels. A voxel takes at most `max_points_per_voxel` points, none closer than
 // voxel_size / sqrt(max_points_per_voxel) to another one, and up to
 // `max_critical_points_per_voxel` points of critical classes beyond that, however close: poles and
-// signs are few and hold the map in place (the paper, section on sub-sampling).
+// signs are few and hold the map in place (the paper, section on sub-sampling). Options for the
+// baseline SAGE-ICP let points crowd and labeled points displace unlabeled ones.
 //
 // Points are stored as float offsets from their voxel's corner, so that they keep their precision
 // kilometres away from the origin. The result depends on the order of insertions alone.
@@ -54,6 +55,13 @@ class LabeledVoxelMap {
   // around it (so distances over voxel_size_m are not all seen), if there is one.
   Nearest FindNearest(const Eigen::Vector3d& query, double max_distance_m) const;
 
+  // The point of the 27 voxels whose squared distance from `query` is the smallest after points
+  // whose label agrees with `label` (all, if that is kUnlabeled) and unlabeled points had theirs
+  // multiplied by `agreeing_factor` in (0, 1]. However far it is; `others_beyond_m` is in the same
+  // weighted measure. Source: SAGE-ICP, semantic-aided association.
+  Nearest FindPreferred(const Eigen::Vector3d& query, sensor::Label label,
+                        double agreeing_factor) const;
+
   // The voxel that a point lies in.
   VoxelCoordinates VoxelAt(const Eigen::Vector3d& point) const {
     return VoxelOf(point, inverse_voxel_size_);
@@ -84,8 +92,17 @@ class LabeledVoxelMap {
   void InsertPoint(const Eigen::Vector3d& point, sensor::Label label, float certainty);
   bool HasRoom(const Voxel& voxel, const Eigen::Vector3f& offset, bool critical) const;
   void Append(Voxel* voxel, const Eigen::Vector3f& offset, sensor::Label label, float certainty);
-  void SearchVoxel(const VoxelCoordinates& voxel, const Eigen::Vector3f& query_offset,
-                   Search* search) const;
+  // Puts a labeled point in an unlabeled one's place.
+  void Displace(const Voxel& voxel, const Eigen::Vector3f& offset, sensor::Label label,
+                float certainty);
+  void Store(uint32_t block, uint32_t slot, const Eigen::Vector3f& offset, sensor::Label label,
+             float certainty);
+  // Both searches; a Measure weighs the squared distances of points by their labels.
+  template <typename Measure>
+  Nearest FindBy(const Measure& measure, const Eigen::Vector3d& query, double max_distance_m) const;
+  template <typename Measure>
+  void SearchVoxel(const Measure& measure, const VoxelCoordinates& voxel,
+                   const Eigen::Vector3f& query_offset, Search* search) const;
   uint32_t NewBlock();
   void FreeBlocks(uint32_t first_block);
   float* Coordinates(uint32_t block) { return &coordinates_[3 * size_t{block} * block_capacity_]; }
@@ -100,7 +117,8 @@ class LabeledVoxelMap {
   const double inverse_voxel_size_;
   const int max_ordinary_;
   const int max_critical_;
-  const float min_squared_distance_;
+  const float min_squared_distance_;  // 0: points may crowd
+  const bool displace_unlabeled_;
   const uint32_t block_capacity_;
   const sensor::LabelMask critical_;
 

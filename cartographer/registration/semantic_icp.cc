@@ -30,7 +30,7 @@ NormalEquations SumPairs(const sensor::LabeledPointCloud& source, size_t begin, 
   NormalEquations equations;
   for (size_t i = begin; i < end; ++i) {
     const Eigen::Vector3d arm = rotation * source.positions[i].cast<double>();
-    const auto neighbor = search->Find(i, arm + origin);
+    const auto neighbor = search->Find(i, arm + origin, source.labels[i]);
     if (!neighbor.has_value()) continue;
     const Eigen::Vector3d target = neighbor->position - origin;
     double weight = GemanMcClureWeight((arm - target).squaredNorm(), kernel_scale);
@@ -97,11 +97,12 @@ IcpReport AlignCloud(const sensor::LabeledPointCloud& source, const LabeledVoxel
                      const proto::IcpOptions& options) {
   CHECK_GT(scale.gate_m, 0.);
   CHECK_GT(scale.kernel_scale, 0.);
+  CHECK_GT(options.agreeing_distance_factor(), 0.);
   IcpReport report;
   report.map_from_source = map_from_guess;
   if (source.size() < static_cast<size_t>(options.min_points())) return report;
 
-  CorrespondenceSearch search(map, scale.gate_m, source.size());
+  CorrespondenceSearch search(map, scale.gate_m, options.agreeing_distance_factor(), source.size());
   while (report.iterations < options.max_iterations()) {
     const NormalEquations equations =
         SumAllPairs(source, report.map_from_source, scale.kernel_scale, options, &search);

@@ -54,7 +54,8 @@ double CertaintyWeight(sensor::Label source, float certainty, sensor::Label targ
 //
 //   sum over pairs of rho(|r|^2) * kappa * |r|^2,   r = map_from_source * s - q,
 //
-// q the map's point nearest to s, rho the Geman-McClure weight, kappa the certainty weight, by
+// q the map's point nearest to s (by the measure of FindPreferred() if `agreeing_distance_factor`
+// is not 1), rho the Geman-McClure weight, kappa the certainty weight, by
 // Gauss-Newton steps multiplied from the left, with new pairs in each iteration. Steps are taken
 // about the source's origin rather than the map's: the same steps, but well conditioned and with
 // the same stopping criterion everywhere.

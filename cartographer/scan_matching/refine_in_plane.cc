@@ -6,32 +6,10 @@
 #include <cmath>
 
 #include "cartographer/scan_matching/smooth_agreement.h"
-#include "ceres/cost_function.h"
-#include "ceres/problem.h"
-#include "ceres/solver.h"
 #include "glog/logging.h"
 
 namespace cartographer::scan_matching {
 namespace {
-
-class Cost : public ceres::CostFunction {
- public:
-  explicit Cost(const AgreementResiduals& residuals) : residuals_(residuals) {
-    set_num_residuals(residuals.size());
-    mutable_parameter_block_sizes()->push_back(3);
-  }
-
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const double* const pose = parameters[0];
-    residuals_.Evaluate({{pose[0], pose[1]}, pose[2]}, residuals,
-                        jacobians == nullptr ? nullptr : jacobians[0]);
-    return true;
-  }
-
- private:
-  const AgreementResiduals& residuals_;
-};
 
 bool IsNear(const PlanarPose& pose, const PlanarPose& guess,
             const proto::RefinementOptions& options) {
@@ -72,22 +50,11 @@ PlanarRefinement RefineInPlane(const SubmapMatcher& matcher, const MatchingScan&
   result.submap_from_node = guess;
   if (scan.empty()) return result;
   const AgreementResiduals residuals(matcher, scan);
-  double pose[] = {guess.translation.x(), guess.translation.y(), guess.yaw_rad};
-  ceres::Problem problem;
-  problem.AddResidualBlock(new Cost(residuals), nullptr, pose);
-  ceres::Solver::Options solver_options;
-  solver_options.max_num_iterations = options.max_iterations();
-  solver_options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver_options.function_tolerance = options.function_tolerance();
-  solver_options.num_threads = 1;
-  solver_options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options, &problem, &summary);
-
-  const PlanarPose refined{{pose[0], pose[1]}, std::remainder(pose[2], 2. * M_PI)};
-  result.refined = summary.IsSolutionUsable() && IsNear(refined, guess, options);
-  if (result.refined) result.submap_from_node = refined;
-  result.agreement = 1. - 2. * (result.refined ? summary.final_cost : summary.initial_cost);
+  const PlanarSolution solution =
+      SolveInPlane(residuals, guess, options.max_iterations(), options.function_tolerance());
+  result.refined = solution.usable && IsNear(solution.pose, guess, options);
+  if (result.refined) result.submap_from_node = solution.pose;
+  result.agreement = 1. - 2. * (result.refined ? solution.final_cost : solution.initial_cost);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "cartographer/scan_matching/matching_scan.h"
 #include "cartographer/scan_matching/planar_pose.h"
 #include "cartographer/scan_matching/proto/scan_matching_options.pb.h"
+#include "cartographer/scan_matching/solve_in_plane.h"
 #include "cartographer/scan_matching/submap_matcher.h"
 
 namespace cartographer::scan_matching {
@@ -19,15 +20,14 @@ namespace cartographer::scan_matching {
 //
 // v the smoothed agreement of smooth_agreement.h at the point's place, w its weight. At the truth
 // the sum of squares is small; it is 1 where nothing agrees.
-class AgreementResiduals {
+class AgreementResiduals : public PlanarResiduals {
  public:
   // Keeps references: both must outlive this. The scan must not be empty (CHECKed).
   AgreementResiduals(const SubmapMatcher& matcher, const MatchingScan& scan);
 
-  int size() const { return static_cast<int>(scan_.size()); }
-  // size() residuals at a pose and, unless `jacobian` is null, their derivatives by (x, y, yaw),
-  // point by point.
-  void Evaluate(const PlanarPose& submap_from_node, double* residuals, double* jacobian) const;
+  int size() const override { return static_cast<int>(scan_.size()); }
+  void Evaluate(const PlanarPose& submap_from_node, double* residuals,
+                double* jacobian) const override;
 
  private:
   const SubmapMatcher& matcher_;

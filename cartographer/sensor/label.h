@@ -34,6 +34,7 @@ class LabelMask {
  public:
   bool Contains(Label label) const { return bits_[Index(label)]; }
   void Insert(Label label) { bits_.set(Index(label)); }
+  void Insert(const LabelMask& labels) { bits_ |= labels.bits_; }
   bool Empty() const { return bits_.none(); }
 
   friend bool operator==(const LabelMask& a, const LabelMask& b) { return a.bits_ == b.bits_; }

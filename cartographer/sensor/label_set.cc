@@ -75,6 +75,16 @@ absl::StatusOr<Label> LabelSet::FromName(absl::string_view name) const {
                                           "\"; ", common::SuggestName(name, known)));
 }
 
+absl::StatusOr<LabelMask> LabelSet::FromNames(
+    const google::protobuf::RepeatedPtrField<std::string>& names) const {
+  LabelMask mask;
+  for (const std::string& name : names) {
+    ASSIGN_OR_RETURN(const Label label, FromName(name));
+    mask.Insert(label);
+  }
+  return mask;
+}
+
 void LabelSet::AddUnlabeled() {
   const auto& classes = declaration_.classes();
   AddEntry(*std::find_if(classes.begin(), classes.end(), [](const proto::LabelClass& candidate) {

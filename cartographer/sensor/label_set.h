@@ -69,6 +69,9 @@ class LabelSet {
 
   // The label called `name`, the name of a merged class included; NotFound tells the nearest.
   absl::StatusOr<Label> FromName(absl::string_view name) const;
+  // The labels of those names; the first name that is not known is the error.
+  absl::StatusOr<LabelMask> FromNames(
+      const google::protobuf::RepeatedPtrField<std::string>& names) const;
 
   const proto::LabelSet& declaration() const { return declaration_; }
 

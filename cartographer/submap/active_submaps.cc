@@ -3,6 +3,9 @@
 
 #include "cartographer/submap/active_submaps.h"
 
+#include <optional>
+#include <utility>
+
 #include "tbb/parallel_for_each.h"
 
 namespace cartographer::submap {
@@ -18,39 +21,34 @@ void Finish(const registration::LabeledVoxelMap& cloud, Submap* submap) {
 ActiveSubmaps::ActiveSubmaps(const proto::SubmapOptions& options, const sensor::LabelSet& labels)
     : options_(options),
       moving_(labels.WithRole(sensor::LabelRole::kMoving)),
-      critical_(labels.WithRole(sensor::LabelRole::kCritical)) {}
+      critical_(labels.WithRole(sensor::LabelRole::kCritical)),
+      succession_(options.scans_per_submap()) {}
 
 std::map<int, std::shared_ptr<const Submap>> ActiveSubmaps::AddScan(
     const sensor::LabeledPointCloud& dense, const sensor::LabeledPointCloud& sparse,
     const transform::Rigid3d& local_from_sensor) {
-  if (growing_.empty() || growing_.back().submap->num_scans >= options_.scans_per_submap() / 2) {
-    Begin(local_from_sensor);
-  }
+  if (succession_.NeedsNew()) Begin(local_from_sensor);
   const sensor::LabeledPointCloud static_sparse = sensor::WithoutLabels(sparse, moving_);
-  tbb::parallel_for_each(growing_.begin(), growing_.end(), [&](Growing& growing) {
-    Grow(dense, static_sparse, local_from_sensor, &growing);
+  auto& growing = succession_.growing();
+  tbb::parallel_for_each(growing.begin(), growing.end(), [&](Growing& one) {
+    Grow(dense, static_sparse, local_from_sensor, &one);
   });
-
-  std::map<int, std::shared_ptr<const Submap>> submaps;
-  for (const Growing& growing : growing_) submaps.emplace(growing.index, growing.submap);
-  Growing& oldest = growing_.front();
-  if (oldest.submap->num_scans >= options_.scans_per_submap()) {
-    Finish(oldest.cloud, oldest.submap.get());
-    growing_.pop_front();
-  }
+  const std::map<int, std::shared_ptr<const Submap>> submaps = succession_.Submaps();
+  const std::optional<Growing> full = succession_.TakeFull();
+  if (full.has_value()) Finish(full->cloud, full->submap.get());
   return submaps;
 }
 
 void ActiveSubmaps::FinishAll() {
-  for (Growing& growing : growing_) Finish(growing.cloud, growing.submap.get());
-  growing_.clear();
+  for (Growing& growing : succession_.growing()) Finish(growing.cloud, growing.submap.get());
+  succession_.growing().clear();
 }
 
 void ActiveSubmaps::Begin(const transform::Rigid3d& local_from_sensor) {
   auto submap = std::make_shared<Submap>(options_.resolution_m());
   submap->local_from_submap = transform::Level(local_from_sensor);
-  growing_.push_back({num_begun_++, std::move(submap),
-                      registration::LabeledVoxelMap(options_.cloud(), critical_)});
+  succession_.Begin(
+      {std::move(submap), registration::LabeledVoxelMap(options_.cloud(), critical_)});
 }
 
 void ActiveSubmaps::Grow(const sensor::LabeledPointCloud& dense,

@@ -4,7 +4,6 @@
 #ifndef CARTOGRAPHER_SUBMAP_ACTIVE_SUBMAPS_H_
 #define CARTOGRAPHER_SUBMAP_ACTIVE_SUBMAPS_H_
 
-#include <deque>
 #include <map>
 #include <memory>
 
@@ -13,13 +12,13 @@
 #include "cartographer/sensor/labeled_point_cloud.h"
 #include "cartographer/submap/proto/submap_options.pb.h"
 #include "cartographer/submap/submap.h"
+#include "cartographer/submap/submap_succession.h"
 #include "cartographer/transform/rigid_transform.h"
 
 namespace cartographer::submap {
 
-// The submaps that grow at the moment. At most two: an older one, in which the newer one's place
-// will be known, and the newer one, which carries on when the older is finished. Classes with the
-// role `moving` are left out of all of them.
+// The submaps that grow at the moment, at most two (submap_succession.h). Classes with the role
+// `moving` are left out of all of them.
 class ActiveSubmaps {
  public:
   ActiveSubmaps(const proto::SubmapOptions& options, const sensor::LabelSet& labels);
@@ -37,7 +36,6 @@ class ActiveSubmaps {
 
  private:
   struct Growing {
-    int index;
     std::shared_ptr<Submap> submap;
     registration::LabeledVoxelMap cloud;
   };
@@ -49,8 +47,7 @@ class ActiveSubmaps {
   const proto::SubmapOptions options_;
   const sensor::LabelMask moving_;
   const sensor::LabelMask critical_;
-  std::deque<Growing> growing_;
-  int num_begun_ = 0;
+  SubmapSuccession<Growing> succession_;
 };
 
 }  // namespace cartographer::submap

@@ -11,6 +11,8 @@ CLOSURE_VERIFICATION = {
     voxel_size_m = 1.0,
     max_points_per_voxel = 20,
     max_critical_points_per_voxel = 20,
+    allow_crowding = false,
+    displace_unlabeled = false,
   },
   icp = {
     max_iterations = 50,
@@ -20,6 +22,7 @@ CLOSURE_VERIFICATION = {
     weight_by_certainty = true,
     unlabeled_weight = 1.0,
     min_lever_arm_m = 0.1,
+    agreeing_distance_factor = 1.0,
   },
   stages = {
     { gate_m = 2.0, kernel_scale = 0.5 },

@@ -5,6 +5,7 @@
 
 include "defaults/dataset.lua"
 include "defaults/map_image.lua"
+include "defaults/planar_builder.lua"
 include "defaults/pose_graph.lua"
 include "defaults/relocalization.lua"
 include "defaults/report.lua"
@@ -16,6 +17,7 @@ RUN = {
   local_trajectory_builder = {
     name = "semantic_kiss",
     semantic_kiss = SEMANTIC_KISS_BUILDER,
+    planar = PLANAR_BUILDER,
   },
   map_image = MAP_IMAGE,
   pose_graph = POSE_GRAPH,

@@ -10,6 +10,7 @@
 
 #include "cartographer/common/status.h"
 #include "cartographer/slam/local_trajectory_builder_registry.h"
+#include "cartographer/slam/planar_local_trajectory_builder.h"
 #include "semantic_kiss/cli/flags.h"
 #include "semantic_kiss/cli/terminal.h"
 #include "semantic_kiss/dataset/prefetching_scan_source.h"
@@ -40,6 +41,7 @@ absl::StatusOr<std::unique_ptr<cartographer::slam::LocalTrajectoryBuilder>>
 MakeLocalTrajectoryBuilder(const Configuration& configuration) {
   cartographer::slam::LocalTrajectoryBuilderRegistry registry;
   RegisterLocalTrajectoryBuilder(&registry);
+  cartographer::slam::RegisterPlanarLocalTrajectoryBuilder(&registry);
   return registry.Create(configuration.options.local_trajectory_builder(), configuration.labels);
 }
 

@@ -5,25 +5,36 @@
 
 #include <utility>
 
-#include "semantic_kiss/odometry/voxel_subsampling.h"
+#include "glog/logging.h"
+#include "semantic_kiss/odometry/class_subsampling.h"
 
 namespace semantic_kiss::odometry {
 namespace {
 
-using cartographer::sensor::LabelMask;
-using cartographer::sensor::LabelRole;
 using cartographer::sensor::LabelSet;
 
 // KISS-ICP is our odometry with everything switched off that asks for labels.
 proto::OdometryOptions ResolveMode(proto::OdometryOptions options) {
   if (options.mode() == "kiss_icp") {
     options.mutable_preprocessing()->set_drop_moving(false);
+    options.mutable_preprocessing()->clear_drop_labels();
+    options.clear_critical_labels();
+    options.mutable_map_subsampling()->clear_class_voxels();
+    options.mutable_icp_subsampling()->clear_class_voxels();
     options.mutable_map_subsampling()->set_max_critical_points_per_voxel(0);
     options.mutable_icp_subsampling()->set_max_critical_points_per_voxel(0);
     options.mutable_local_map()->set_max_critical_points_per_voxel(0);
+    options.mutable_local_map()->set_displace_unlabeled(false);
     options.mutable_icp()->set_weight_by_certainty(false);
+    options.mutable_icp()->set_agreeing_distance_factor(1.);
   }
   return options;
+}
+
+LabelRules RulesOf(const proto::OdometryOptions& options, const LabelSet& labels) {
+  absl::StatusOr<LabelRules> rules = LabelRules::Create(options, labels);
+  CHECK(rules.ok()) << rules.status();
+  return *std::move(rules);
 }
 
 }  // namespace
@@ -43,17 +54,15 @@ absl::string_view OutcomeName(const OdometryReport& report) {
 
 Odometry::Odometry(const proto::OdometryOptions& options, const LabelSet& labels)
     : options_(ResolveMode(options)),
-      dropped_labels_(options_.preprocessing().drop_moving() ? labels.WithRole(LabelRole::kMoving)
-                                                             : LabelMask()),
-      critical_labels_(labels.WithRole(LabelRole::kCritical)),
-      local_map_(options_.local_map(), critical_labels_),
+      rules_(RulesOf(options_, labels)),
+      local_map_(options_.local_map(), rules_.critical),
       threshold_(options_.adaptive_threshold(), options_.preprocessing().max_range_m()) {}
 
 OdometryReport Odometry::AddScan(const cartographer::sensor::LabeledPointCloud& scan) {
   OdometryReport report;
   cartographer::common::Stopwatch stopwatch;
   PreprocessedScan preprocessed =
-      Preprocess(scan, motion_.Motion(), dropped_labels_, options_.preprocessing());
+      Preprocess(scan, motion_.Motion(), rules_.dropped, options_.preprocessing());
   report.points = std::move(preprocessed.points);
   report.counts = preprocessed.counts;
   report.deskewed = preprocessed.deskewed;
@@ -72,9 +81,10 @@ OdometryReport Odometry::AddScan(const cartographer::sensor::LabeledPointCloud& 
 }
 
 void Odometry::SubsampleScan(OdometryReport* report) const {
-  report->points_for_map = Subsample(report->points, options_.map_subsampling(), critical_labels_);
-  report->points_for_icp =
-      Subsample(report->points_for_map, options_.icp_subsampling(), critical_labels_);
+  report->points_for_map = SubsampleByClass(report->points, options_.map_subsampling(),
+                                            rules_.map_classes, rules_.critical);
+  report->points_for_icp = SubsampleByClass(report->points_for_map, options_.icp_subsampling(),
+                                            rules_.icp_classes, rules_.critical);
 }
 
 void Odometry::Register(OdometryReport* report) {
@@ -87,11 +97,12 @@ void Odometry::Register(OdometryReport* report) {
     return;
   }
   report->icp = AlignCloud(report->points_for_icp, local_map_, local_from_guess,
-                           {threshold_.Gate(), report->sigma_m}, options_.icp());
+                           {threshold_.Gate(), threshold_.KernelScale()}, options_.icp());
   if (report->icp.HasEstimate()) {
     report->placement = Placement::kRegistered;
     report->local_from_sensor = report->icp.map_from_source;
-    threshold_.Observe(local_from_guess.inverse() * report->local_from_sensor);
+    threshold_.Observe(local_from_guess.inverse() * report->local_from_sensor,
+                       report->local_from_sensor.translation().norm());
     failures_in_a_row_ = 0;
   } else if (++failures_in_a_row_ >= options_.restart_after_failures()) {
     report->placement = Placement::kRestarted;

@@ -14,6 +14,7 @@
 #include "cartographer/sensor/labeled_point_cloud.h"
 #include "cartographer/transform/rigid_transform.h"
 #include "semantic_kiss/odometry/adaptive_threshold.h"
+#include "semantic_kiss/odometry/label_rules.h"
 #include "semantic_kiss/odometry/motion_model.h"
 #include "semantic_kiss/odometry/preprocessing.h"
 #include "semantic_kiss/odometry/proto/odometry_options.pb.h"
@@ -51,9 +52,10 @@ struct OdometryReport {
 absl::string_view OutcomeName(const OdometryReport& report);
 
 // Semantic KISS-ICP, scan by scan (design.md, section 3). In mode "kiss_icp" it is KISS-ICP: labels
-// are carried along but decide nothing.
+// are carried along but decide nothing. With the options of sage_icp.lua it is SAGE-ICP.
 class Odometry {
  public:
+  // Names of labels in the options must be known (CHECKed; LabelRules::Create() tells).
   Odometry(const proto::OdometryOptions& options, const cartographer::sensor::LabelSet& labels);
 
   // Scans in the order of time. Any scan is survived: where it cannot be registered, the motion
@@ -68,8 +70,7 @@ class Odometry {
   void UpdateLocalMap(const OdometryReport& report);
 
   const proto::OdometryOptions options_;
-  const cartographer::sensor::LabelMask dropped_labels_;
-  const cartographer::sensor::LabelMask critical_labels_;
+  const LabelRules rules_;
   cartographer::registration::LabeledVoxelMap local_map_;
   AdaptiveThreshold threshold_;
   MotionModel motion_;

@@ -23,8 +23,9 @@ class PointFilter {
  public:
   PointFilter(const LabelMask& dropped_labels, const proto::PreprocessingOptions& options)
       : dropped_labels_(dropped_labels),
-        min_squared_(static_cast<float>(options.min_range_m() * options.min_range_m())),
-        max_squared_(static_cast<float>(options.max_range_m() * options.max_range_m())) {}
+        min_squared_(Square(options.min_range_m())),
+        max_squared_(Square(options.max_range_m())),
+        label_max_squared_(Square(options.label_max_range_m())) {}
 
   bool Keep(const Eigen::Vector3f& position, cartographer::sensor::Label label,
             PreprocessingCounts* counts) const {
@@ -45,9 +46,15 @@ class PointFilter {
     return true;
   }
 
+  bool TrustsLabel(const Eigen::Vector3f& position) const {
+    return position.squaredNorm() < label_max_squared_;
+  }
+
  private:
+  static float Square(double value) { return static_cast<float>(value * value); }
+
   const LabelMask& dropped_labels_;
-  const float min_squared_, max_squared_;
+  const float min_squared_, max_squared_, label_max_squared_;
 };
 
 PreprocessedScan PreprocessChunk(const LabeledPointCloud& scan, size_t begin, size_t end,
@@ -60,7 +67,8 @@ PreprocessedScan PreprocessChunk(const LabeledPointCloud& scan, size_t begin, si
         sweep.has_value() ? sweep->ToSweepEnd(scan.positions[i], scan.times[i]) : scan.positions[i];
     if (!filter.Keep(position, scan.labels[i], &chunk.counts)) continue;
     chunk.points.positions.push_back(position);
-    chunk.points.labels.push_back(scan.labels[i]);
+    chunk.points.labels.push_back(filter.TrustsLabel(position) ? scan.labels[i]
+                                                               : cartographer::sensor::kUnlabeled);
     chunk.points.certainties.push_back(scan.certainties[i]);
   }
   return chunk;

@@ -19,7 +19,8 @@ struct PreprocessingCounts {
 };
 
 struct PreprocessedScan {
-  // Positions, labels and certainties of the points that are kept, in their original order.
+  // Positions, labels and certainties of the points that are kept, in their original order. Labels
+  // end at `label_max_range_m`.
   cartographer::sensor::LabeledPointCloud points;
   PreprocessingCounts counts;
   bool deskewed = false;

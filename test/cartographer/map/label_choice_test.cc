@@ -91,12 +91,5 @@ TEST(LabelChoiceTest, ErrorsNameOptionAndRemedy) {
   EXPECT_THAT(Error(options), HasSubstr("give one of the two"));
 }
 
-TEST(LabelChoiceTest, LabelsNamedIsWhatItSays) {
-  proto::FilterOptions options;
-  EXPECT_THAT(Names(LabelsNamed(options.keep(), SomeKittiLabels())), IsEmpty());
-  options.add_keep("pole");
-  EXPECT_THAT(Names(LabelsNamed(options.keep(), SomeKittiLabels())), ElementsAre("pole"));
-}
-
 }  // namespace
 }  // namespace cartographer::map

@@ -5,11 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace cartographer::registration {
 namespace {
 
+using sensor::kUnlabeled;
 using sensor::Label;
 using sensor::LabeledPointCloud;
 using sensor::LabelMask;
@@ -171,6 +176,99 @@ TEST(LabeledVoxelMapTest, ClearedMapStartsAfresh) {
   EXPECT_TRUE(map.Empty());
   map.Insert(cloud, Rigid3d());
   EXPECT_EQ(map.ToPointCloud().positions, before.positions);
+}
+
+LabeledPointCloud Points(const std::vector<std::pair<Eigen::Vector3f, Label>>& points) {
+  LabeledPointCloud cloud;
+  for (const auto& [position, label] : points) {
+    cloud.positions.push_back(position);
+    cloud.labels.push_back(label);
+    cloud.certainties.push_back(1.f);
+  }
+  return cloud;
+}
+
+TEST(LabeledVoxelMapTest, PrefersPointsOfTheSameLabel) {
+  LabeledVoxelMap map(Options(), {});
+  map.Insert(Points({{{0.2f, 0.5f, 0.5f}, kRoad},         // 0.1 m from the query
+                     {{0.7f, 0.5f, 0.5f}, kPole},         // 0.4 m
+                     {{0.3f, 0.9f, 0.5f}, kUnlabeled}}),  // 0.4 m
+             Rigid3d());
+  const Eigen::Vector3d query(0.3, 0.5, 0.5);
+  const auto choice = [&](Label label, double factor) {
+    return map.FindPreferred(query, label, factor).neighbor->label;
+  };
+  // 0.05 * 0.4^2 = 0.008 < 0.1^2 = 0.01 < 0.07 * 0.4^2 = 0.0112.
+  EXPECT_EQ(choice(kPole, 0.05), kPole);
+  EXPECT_EQ(choice(kPole, 0.07), kRoad);
+  EXPECT_EQ(choice(kRoad, 0.05), kRoad);
+  // A point without a label disagrees with nobody, and nobody with it.
+  EXPECT_EQ(choice(kUnlabeled, 0.05), kRoad);
+  EXPECT_EQ(choice(Label{7}, 0.05), kUnlabeled);
+  EXPECT_EQ(choice(Label{7}, 0.07), kRoad);
+}
+
+TEST(LabeledVoxelMapTest, FindsThePreferredPointLikeAnExhaustiveSearch) {
+  constexpr int kSeed = 8;
+  std::mt19937 random(kSeed);
+  LabeledVoxelMap map(Options(), {});
+  map.Insert(RandomCloud(&random, 1500, 3.f, kRoad), Rigid3d());
+  map.Insert(RandomCloud(&random, 300, 3.f, kPole), Rigid3d());
+  map.Insert(RandomCloud(&random, 100, 3.f, kUnlabeled), Rigid3d());
+  const LabeledPointCloud points = map.ToPointCloud();
+  std::uniform_real_distribution<double> uniform(-4., 4.);
+  for (int i = 0; i < 1500; ++i) {
+    const Eigen::Vector3d query(uniform(random), uniform(random), uniform(random));
+    const Label label{static_cast<uint8_t>(i % 4)};
+    const double factor = i % 2 == 0 ? 0.05 : 0.4;
+    // All that lies in the 27 voxels around the query.
+    double best = 1e9, second = 1e9;
+    for (size_t j = 0; j < points.size(); ++j) {
+      const Eigen::Vector3d position = points.positions[j].cast<double>();
+      if (((map.VoxelAt(position) - map.VoxelAt(query)).abs() > 1).any()) continue;
+      const Label other = points.labels[j];
+      const bool agrees = other == label || other == kUnlabeled || label == kUnlabeled;
+      const double measure = (position - query).squaredNorm() * (agrees ? factor : 1.);
+      second = std::min(second, std::max(best, measure));
+      best = std::min(best, measure);
+    }
+    const LabeledVoxelMap::Nearest found = map.FindPreferred(query, label, factor);
+    ASSERT_EQ(found.neighbor.has_value(), best < 1e9) << i;
+    if (!found.neighbor.has_value()) continue;
+    const Label other = found.neighbor->label;
+    const bool agrees = other == label || other == kUnlabeled || label == kUnlabeled;
+    EXPECT_NEAR((found.neighbor->position - query).squaredNorm() * (agrees ? factor : 1.), best,
+                1e-5);
+    EXPECT_LE(found.others_beyond_m, std::sqrt(second) + 1e-4);
+  }
+}
+
+TEST(LabeledVoxelMapTest, PointsCrowdIfTheyMay) {
+  constexpr int kSeed = 4;
+  std::mt19937 random(kSeed);
+  proto::VoxelMapOptions options = Options(1., 20);
+  options.set_allow_crowding(true);
+  LabeledVoxelMap map(options, {});
+  map.Insert(RandomCloud(&random, 15, 0.01f, kRoad), Rigid3d::Translation({0.5, 0.5, 0.5}));
+  EXPECT_EQ(map.num_points(), 15);
+  map.Insert(RandomCloud(&random, 15, 0.01f, kRoad), Rigid3d::Translation({0.5, 0.5, 0.5}));
+  EXPECT_EQ(map.num_points(), 20);
+}
+
+TEST(LabeledVoxelMapTest, LabeledPointsDisplaceUnlabeledOnesOfFullVoxels) {
+  proto::VoxelMapOptions options = Options(1., 2);
+  options.set_allow_crowding(true);
+  options.set_displace_unlabeled(true);
+  LabeledVoxelMap map(options, {});
+  const auto labels_after = [&](Label label) {
+    map.Insert(Points({{{0.5f, 0.5f, 0.5f}, label}}), Rigid3d());
+    return map.ToPointCloud().labels;
+  };
+  EXPECT_EQ(labels_after(kRoad), (std::vector<Label>{kRoad}));
+  EXPECT_EQ(labels_after(kUnlabeled), (std::vector<Label>{kRoad, kUnlabeled}));
+  EXPECT_EQ(labels_after(kUnlabeled), (std::vector<Label>{kRoad, kUnlabeled}));
+  EXPECT_EQ(labels_after(kPole), (std::vector<Label>{kRoad, kPole}));
+  EXPECT_EQ(labels_after(kPole), (std::vector<Label>{kRoad, kPole}));
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ proto::IcpOptions Options() {
   options.set_weight_by_certainty(true);
   options.set_unlabeled_weight(1.);
   options.set_min_lever_arm_m(0.1);
+  options.set_agreeing_distance_factor(1.);
   return options;
 }
 

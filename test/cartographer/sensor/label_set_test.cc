@@ -283,6 +283,20 @@ TEST(LabelSetErrorsTest, LoadNamesTheFile) {
   EXPECT_EQ(LabelSet::Load({"/no/such.lua", {}}).status().code(), absl::StatusCode::kNotFound);
 }
 
+TEST(LabelSetTest, FromNamesIsWhatItSays) {
+  const LabelSet labels = ValidSet();
+  google::protobuf::RepeatedPtrField<std::string> names;
+  EXPECT_TRUE(labels.FromNames(names)->Empty());
+  *names.Add() = "pole";
+  *names.Add() = "lane";  // merged into road
+  LabelMask expected;
+  expected.Insert(*labels.FromName("pole"));
+  expected.Insert(*labels.FromName("road"));
+  EXPECT_EQ(*labels.FromNames(names), expected);
+  *names.Add() = "raod";
+  EXPECT_EQ(labels.FromNames(names).status(), labels.FromName("raod").status());
+}
+
 TEST(RoleWordTest, NamesEachRole) {
   EXPECT_EQ(RoleWord(LabelRole::kMoving), "moving");
   EXPECT_EQ(RoleWord(LabelRole::kMovable), "movable");

@@ -17,6 +17,8 @@ proto::AdaptiveThresholdOptions Options() {
   options.set_initial_m(2.);
   options.set_min_model_error_m(0.1);
   options.set_gate_sigmas(3.);
+  options.set_kernel_sigmas(1.);
+  options.set_initial_samples(1);
   return options;
 }
 
@@ -24,19 +26,36 @@ TEST(AdaptiveThresholdTest, StartsWithTheInitialValue) {
   const AdaptiveThreshold threshold(Options(), 100.);
   EXPECT_DOUBLE_EQ(threshold.Sigma(), 2.);
   EXPECT_DOUBLE_EQ(threshold.Gate(), 6.);
+  EXPECT_DOUBLE_EQ(threshold.KernelScale(), 2.);
 }
 
 TEST(AdaptiveThresholdTest, SigmaIsTheRootMeanSquareOfTheErrors) {
   AdaptiveThreshold threshold(Options(), 100.);
-  threshold.Observe(Rigid3d::Translation({0.3, 0.4, 0.}));  // 0.5 m
-  threshold.Observe(Rigid3d::Translation({0., 0., 0.2}));
+  threshold.Observe(Rigid3d::Translation({0.3, 0.4, 0.}), 1.);  // 0.5 m
+  threshold.Observe(Rigid3d::Translation({0., 0., 0.2}), 2.);
   EXPECT_DOUBLE_EQ(threshold.Sigma(), std::sqrt((4. + 0.25 + 0.04) / 3.));
 }
 
 TEST(AdaptiveThresholdTest, SmallErrorsTeachNothing) {
   AdaptiveThreshold threshold(Options(), 100.);
-  threshold.Observe(Rigid3d::Translation({0.099, 0., 0.}));
+  threshold.Observe(Rigid3d::Translation({0.099, 0., 0.}), 1.);
   EXPECT_DOUBLE_EQ(threshold.Sigma(), 2.);
+}
+
+TEST(AdaptiveThresholdTest, AsInSageIcpTheInitialValueEndsWithTheFirstErrorOnTheWay) {
+  proto::AdaptiveThresholdOptions options = Options();
+  options.set_kernel_sigmas(0.5);
+  options.set_initial_samples(0);
+  options.set_learn_beyond_m(0.5);
+  AdaptiveThreshold threshold(options, 100.);
+  EXPECT_DOUBLE_EQ(threshold.Sigma(), 2.);
+  EXPECT_DOUBLE_EQ(threshold.KernelScale(), 1.);
+  threshold.Observe(Rigid3d::Translation({0.3, 0., 0.}), 0.49);
+  EXPECT_DOUBLE_EQ(threshold.Sigma(), 2.);
+  threshold.Observe(Rigid3d::Translation({0.3, 0., 0.}), 0.5);
+  EXPECT_DOUBLE_EQ(threshold.Sigma(), 0.3);
+  threshold.Observe(Rigid3d::Translation({0., 0.4, 0.}), 0.9);
+  EXPECT_DOUBLE_EQ(threshold.Sigma(), std::sqrt((0.09 + 0.16) / 2.));
 }
 
 TEST(AdaptiveThresholdTest, RotationsAreFeltAtTheMaximumRange) {

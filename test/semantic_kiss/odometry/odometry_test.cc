@@ -24,10 +24,28 @@ using cartographer::transform::Rigid3d;
 using cartographer::transform::Twist;
 using Placement = OdometryReport::Placement;
 
+// What SAGE-ICP does otherwise.
+void UseSageIcp(proto::OdometryOptions* options) {
+  options->set_mode("semantic_kiss");
+  for (auto* const subsampling :
+       {options->mutable_map_subsampling(), options->mutable_icp_subsampling()}) {
+    proto::ClassVoxels& classes = *subsampling->add_class_voxels();
+    classes.add_labels("building");
+    classes.set_voxel_size_m(0.8 * subsampling->voxel_size_m());
+  }
+  options->mutable_local_map()->set_allow_crowding(true);
+  options->mutable_local_map()->set_displace_unlabeled(true);
+  options->mutable_adaptive_threshold()->set_kernel_sigmas(1. / 3.);
+  options->mutable_adaptive_threshold()->set_initial_samples(0);
+  options->mutable_icp()->set_weight_by_certainty(false);
+  options->mutable_icp()->set_agreeing_distance_factor(0.05);
+}
+
 proto::OdometryOptions Options(const std::string& mode) {
   proto::OdometryOptions options;
   options.set_mode(mode);
   options.mutable_preprocessing()->set_max_range_m(100.);
+  options.mutable_preprocessing()->set_label_max_range_m(100.);
   options.mutable_preprocessing()->set_deskew(true);
   options.mutable_preprocessing()->set_drop_moving(true);
   for (auto* const subsampling :
@@ -43,6 +61,8 @@ proto::OdometryOptions Options(const std::string& mode) {
   options.mutable_adaptive_threshold()->set_initial_m(2.);
   options.mutable_adaptive_threshold()->set_min_model_error_m(0.1);
   options.mutable_adaptive_threshold()->set_gate_sigmas(3.);
+  options.mutable_adaptive_threshold()->set_kernel_sigmas(1.);
+  options.mutable_adaptive_threshold()->set_initial_samples(1);
   auto* const icp = options.mutable_icp();
   icp->set_max_iterations(500);
   icp->set_convergence_threshold(1e-4);
@@ -51,7 +71,9 @@ proto::OdometryOptions Options(const std::string& mode) {
   icp->set_weight_by_certainty(true);
   icp->set_unlabeled_weight(1.);
   icp->set_min_lever_arm_m(0.1);
+  icp->set_agreeing_distance_factor(1.);
   options.set_restart_after_failures(3);
+  if (mode == "sage_icp") UseSageIcp(&options);
   return options;
 }
 
@@ -152,7 +174,8 @@ TEST_P(OdometryModeTest, BeginsAnewAfterTooManyFailures) {
   EXPECT_LT(DistanceFrom(Rigid3d(), report.local_from_sensor), 0.05);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, OdometryModeTest, testing::Values("semantic_kiss", "kiss_icp"));
+INSTANTIATE_TEST_SUITE_P(Modes, OdometryModeTest,
+                         testing::Values("semantic_kiss", "kiss_icp", "sage_icp"));
 
 TEST(OdometryTest, MovingThingsAreDroppedOnlyWithLabels) {
   const LabelSet labels = semantic_kiss_testing::SomeKittiLabels();

@@ -28,6 +28,7 @@ proto::PreprocessingOptions Options() {
   proto::PreprocessingOptions options;
   options.set_min_range_m(2.);
   options.set_max_range_m(100.);
+  options.set_label_max_range_m(100.);
   options.set_deskew(true);
   return options;
 }
@@ -36,6 +37,19 @@ void AddPoint(float x, float y, float z, Label label, LabeledPointCloud* cloud) 
   cloud->positions.emplace_back(x, y, z);
   cloud->labels.push_back(label);
   cloud->certainties.push_back(0.5f);
+}
+
+TEST(PreprocessingTest, LabelsEndWhereTheyAreNoLongerTrusted) {
+  proto::PreprocessingOptions options = Options();
+  options.set_label_max_range_m(50.);
+  LabeledPointCloud scan;
+  AddPoint(49.f, 0.f, 0.f, kRoad, &scan);
+  AddPoint(50.f, 0.f, 0.f, kRoad, &scan);  // exactly there: no label
+  AddPoint(30.f, 45.f, 0.f, kRoad, &scan);
+  const PreprocessedScan result = Preprocess(scan, Twist::Zero(), MovingCars(), options);
+  EXPECT_EQ(result.points.labels, (std::vector<Label>{kRoad, cartographer::sensor::kUnlabeled,
+                                                      cartographer::sensor::kUnlabeled}));
+  EXPECT_EQ(result.points.positions, scan.positions);
 }
 
 TEST(PreprocessingTest, CountsWhatItDropsAndWhy) {
