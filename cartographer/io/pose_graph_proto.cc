@@ -70,14 +70,29 @@ absl::StatusOr<std::optional<Information>> InformationFromProto(const ProtoConst
   return information;
 }
 
+// What Cartographer gives by default to the constraints that it finds by loop closure. Ours get the
+// same where `information` says what we know of them: beside the weights of its own terms, 1 /
+// sigma would count for nothing, and its optimization would open our loops again.
+constexpr double kLoopTranslationWeight = 1.1e4;
+constexpr double kLoopRotationWeight = 1e5;
+
+void WeightsToProto(const map::Constraint& constraint, ProtoConstraint* proto) {
+  if (!constraint.information.has_value()) {
+    proto->set_translation_weight(constraint.translation_weight);
+    proto->set_rotation_weight(constraint.rotation_weight);
+    return;
+  }
+  proto->set_translation_weight(kLoopTranslationWeight);
+  proto->set_rotation_weight(kLoopRotationWeight);
+  InformationToProto(*constraint.information, proto);
+}
+
 ProtoConstraint ConstraintToProto(const map::Constraint& constraint) {
   ProtoConstraint proto;
   *proto.mutable_submap_id() = ToProto(constraint.submap_id);
   *proto.mutable_node_id() = ToProto(constraint.node_id);
   *proto.mutable_relative_pose() = ToProto(constraint.submap_from_node);
-  proto.set_translation_weight(constraint.translation_weight);
-  proto.set_rotation_weight(constraint.rotation_weight);
-  if (constraint.information.has_value()) InformationToProto(*constraint.information, &proto);
+  WeightsToProto(constraint, &proto);
   proto.set_tag(constraint.kind == map::Constraint::Kind::kIntraSubmap
                     ? ProtoConstraint::INTRA_SUBMAP
                     : ProtoConstraint::INTER_SUBMAP);

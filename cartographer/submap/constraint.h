@@ -21,9 +21,11 @@ struct Constraint {
   SubmapId submap_id;
   NodeId node_id;
   transform::Rigid3d submap_from_node;
-  // How well, as inverse standard deviations [1/m, 1/rad].
-  double translation_weight = 1.;
-  double rotation_weight = 1.;
+  // How well, as inverse standard deviations [1/m, 1/rad], of which only ratios count. These are
+  // what Cartographer gives by default to scans within a submap: with them it can optimize our
+  // maps.
+  double translation_weight = 5e2;
+  double rotation_weight = 1.6e3;
   Kind kind = Kind::kIntraSubmap;
   // The weights in full, where they are known: the inverse covariance of Log(submap_from_node^-1 *
   // truth), ordered as transform::Twist. It then overrides the weights.

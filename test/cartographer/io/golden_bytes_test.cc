@@ -157,6 +157,13 @@ map::Map TinyMap() {
                              10.,
                              20.,
                              map::Constraint::Kind::kInterSubmap});
+  map::Constraint own;
+  own.node_id = {0, 5};
+  map.constraints.push_back(own);
+  map::Constraint loop = own;
+  loop.kind = map::Constraint::Kind::kInterSubmap;
+  loop.information = Eigen::Matrix<double, 6, 6>::Identity() * 400.;
+  map.constraints.push_back(loop);
   return map;
 }
 
@@ -204,6 +211,22 @@ TEST_F(GoldenBytesTest, PoseGraph) {
   EXPECT_EQ(trajectory[1].Number(1), 123456789u);
   EXPECT_EQ(trajectory[1][5][1].Double(3), 3.);
   EXPECT_EQ(trajectory[2][1][1].Double(1), 11.);
+}
+
+// With these weights, which are those of its own constraints, Cartographer's optimization leaves
+// our maps as they are; with smaller ones it would open the loops again.
+TEST_F(GoldenBytesTest, WeightsThatCartographerCanOptimizeWith) {
+  const std::vector<std::string> constraints = Wire(records_[1])[1].messages.at(2);
+  ASSERT_EQ(constraints.size(), 3u);
+  const Wire own(constraints[1]), loop(constraints[2]);
+  EXPECT_EQ(own.Number(5), 0u);  // INTRA_SUBMAP
+  EXPECT_EQ(own.Double(6), 5e2);
+  EXPECT_EQ(own.Double(7), 1.6e3);
+  EXPECT_EQ(own.Count(1000), 0u);
+  EXPECT_EQ(loop.Number(5), 1u);
+  EXPECT_EQ(loop.Double(6), 1.1e4);
+  EXPECT_EQ(loop.Double(7), 1e5);
+  EXPECT_EQ(loop.Bytes(1000).size(), 21 * sizeof(double));
 }
 
 TEST_F(GoldenBytesTest, OneEntryOfOptionsForTheTrajectory) {
