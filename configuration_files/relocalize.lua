@@ -8,6 +8,5 @@ include "defaults/run.lua"
 -- A vehicle wants to know at once: whatever is due is searched with the scan that brings it.
 RUN.pose_graph.optimize_every_n_nodes = 1
 RUN.pose_graph.candidates.node_spacing_m = 3.0
-RUN.pose_graph.candidates.search_all_after_nodes = 6
 
 return RUN

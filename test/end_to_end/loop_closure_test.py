@@ -31,8 +31,8 @@ class LoopClosureTest(ProgramTest):
         for closure in run["loop_closures"]:
             self.assertEqual(
                 set(closure),
-                {"node", "submap", "by", "score", "overlap", "inlier_ratio", "correction_m",
-                 "correction_deg", "true_error_m", "true_error_deg"})
+                {"node", "trajectory", "submap", "submap_trajectory", "by", "score", "overlap",
+                 "inlier_ratio", "correction_m", "correction_deg", "true_error_m", "true_error_deg"})
             self.assertLess(closure["true_error_m"], 0.3)
             self.assertLess(closure["true_error_deg"], 1.5)
         search = run["closure_search"]

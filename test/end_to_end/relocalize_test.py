@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Semantic KISS Authors
+# SPDX-License-Identifier: Apache-2.0
+"""The life of a map: made on one day, cleaned, localized in on another, continued, merged."""
+
+import hashlib
+import json
+import os
+
+from program import ProgramTest, main, read
+from ring import simulate_ring
+
+
+def sha256(path):
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+class MapLifeTest(ProgramTest):
+
+    def simulate(self, name, *flags):
+        """A drive in the town of the ring."""
+        self.succeed("simulate", f"--config={self.path('day0', 'ring.lua')}",
+                     f"--output={self.path(name)}", "--quiet", *flags)
+
+    def setUp(self):
+        super().setUp()
+        os.makedirs(self.path("day0"))
+        simulate_ring(self.path("day0"), ring_m=200., length_m=220.)
+        self.succeed("run", "--config=semantic_kiss_6dof.lua", f"--dataset={self.path('day0')}",
+                     f"--output={self.path('map')}", "--quiet")
+        self.map = self.path("lasting.pbstream")
+        self.succeed("filter", f"--map={self.path('map', 'map.pbstream')}",
+                     f"--output={self.map}", "--remove_role=movable", "--quiet")
+        self.simulate("day1", "--epoch=1", "--lane_offset=0.4", "--speed_factor=1.3")
+
+    def relocalize(self, output, *flags, data="day1"):
+        self.succeed("relocalize", f"--map={self.map}", f"--dataset={self.path(data)}",
+                     f"--map_ground_truth={self.path('day0', 'sequences', '00')}",
+                     f"--output={self.path(output)}", "--quiet", *flags)
+        return json.loads(read(self.path(output), "relocalization.json"))
+
+    def test_another_day_finds_its_place(self):
+        before = sha256(self.map)
+        found = self.relocalize("anywhere", "--first_scan=60", "--threads=1")
+        self.assertEqual((found["map_sha256_before"], found["map_sha256_after"]), (before, before))
+        self.assertEqual(sha256(self.map), before)
+        self.assertLessEqual(found["first_fix_after_scans"], 50)
+        self.assertEqual(found["first_fix_scan"], 60 + found["first_fix_after_scans"])
+        self.assertEqual(found["metrics"]["wrong_places"], 0)
+        self.assertLess(found["metrics"]["position_error_median_m"], 0.15)
+        self.assertLess(found["metrics"]["heading_error_median_deg"], 0.3)
+        self.assertEqual([event["state"] for event in found["events"]], ["searching", "localized"])
+        self.assertEqual(len(found["poses"]), found["scans"])
+        localized = sum(pose["localized"] for pose in found["poses"])
+        for name in ("relocalization_kitti.txt", "relocalization_tum.txt"):
+            self.assertEqual(len(read(self.path("anywhere"), name).splitlines()), localized)
+        # What came before the fix is known in the end.
+        smoothed = read(self.path("anywhere"), "smoothed_tum.txt").splitlines()
+        self.assertEqual(len(smoothed), found["scans"])
+
+        again = self.relocalize("again", "--first_scan=60", "--threads=3")
+        for name in ("relocalization_kitti.txt", "relocalization_tum.txt", "smoothed_tum.txt"):
+            self.assertEqual(read(self.path("anywhere"), name), read(self.path("again"), name))
+        self.assertEqual(again["poses"], found["poses"])
+
+    def test_a_known_start_is_enough_and_a_bad_one_is_refused(self):
+        known = self.relocalize("known", "--initial_pose=1,1,3", "--num_scans=60")
+        # The next node agrees with the first; no submap has to be finished.
+        self.assertLessEqual(known["first_fix_after_scans"], 15)
+        self.assertEqual(known["metrics"]["wrong_places"], 0)
+        self.fail_with(1, ["--initial_pose", "three"], "relocalize", f"--map={self.map}",
+                       f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
+                       "--initial_pose=1,2")
+        self.fail_with(1, ["optimize_every_n_nodes"], "relocalize", f"--map={self.map}",
+                       f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
+                       "--config=semantic_kiss.lua")
+        self.assertFalse(os.path.exists(self.path("bad")))
+
+    def test_elsewhere_nothing_is_claimed(self):
+        self.simulate("elsewhere", "--seed=99", "--route=city", "--length=90")
+        lost = self.relocalize("lost", data="elsewhere")
+        self.assertIsNone(lost["first_fix_scan"])
+        self.assertEqual({pose["state"] for pose in lost["poses"]}, {"searching"})
+        self.assertNotEqual(lost["poses"][-1]["reason"], "")
+        self.fail_with(1, ["nothing joins them"], "run", "--config=semantic_kiss_6dof.lua",
+                       f"--map={self.map}", f"--dataset={self.path('elsewhere')}",
+                       f"--output={self.path('apart')}", "--quiet")
+
+    def test_drives_are_joined(self):
+        self.succeed("run", "--config=semantic_kiss_6dof.lua", f"--map={self.map}",
+                     f"--dataset={self.path('day1')}", f"--output={self.path('both')}", "--quiet")
+        both = json.loads(self.succeed("info", f"--map={self.path('both', 'map.pbstream')}",
+                                       "--json"))
+        self.assertEqual(len(both["trajectories"]), 2)
+        self.assertIn("added trajectory 1", both["history"][-1])
+
+        self.succeed("run", "--config=semantic_kiss_6dof.lua", f"--dataset={self.path('day1')}",
+                     f"--output={self.path('alone')}", "--quiet")
+        self.succeed("merge", f"--map={self.map}",
+                     f"--other_map={self.path('alone', 'map.pbstream')}",
+                     f"--output={self.path('merged.pbstream')}", "--quiet")
+        merged = json.loads(self.succeed("info", f"--map={self.path('merged.pbstream')}", "--json"))
+        self.assertEqual(len(merged["trajectories"]), 2)
+        self.assertIn("closures join the two", merged["history"][-1])
+
+
+if __name__ == "__main__":
+    main()
