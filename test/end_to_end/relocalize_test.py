@@ -7,7 +7,7 @@ import hashlib
 import json
 import os
 
-from program import ProgramTest, main, read
+from program import ProgramTest, main, read, write
 from ring import simulate_ring
 
 
@@ -75,7 +75,38 @@ class MapLifeTest(ProgramTest):
         self.fail_with(1, ["optimize_every_n_nodes"], "relocalize", f"--map={self.map}",
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        "--config=semantic_kiss.lua")
+        # Known before the drive, not after it.
+        self.fail_with(1, ["poses.txt"], "relocalize", f"--map={self.map}",
+                       f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
+                       f"--map_ground_truth={self.path('day1')}")
         self.assertFalse(os.path.exists(self.path("bad")))
+
+    def test_a_kidnapped_vehicle_says_so_and_is_found_again(self):
+        source, jumping = (self.path(name, "sequences", "00") for name in ("day1", "jumping"))
+        # From one side of the ring to the other within a scan.
+        scans = list(range(0, 60)) + list(range(110, 165))
+        for folder, ending in (("velodyne", "bin"), ("labels", "label"), ("confidences", "conf")):
+            os.makedirs(os.path.join(jumping, folder))
+            for i, scan in enumerate(scans):
+                os.symlink(os.path.join(source, folder, f"{scan:06d}.{ending}"),
+                           os.path.join(jumping, folder, f"{i:06d}.{ending}"))
+        poses = read(source, "poses.txt").splitlines()
+        write(os.path.join(jumping, "poses.txt"), b"".join(poses[scan] + b"\n" for scan in scans))
+        write(os.path.join(jumping, "times.txt"),
+              "".join(f"{0.1 * i:e}\n" for i in range(len(scans))))
+        write(os.path.join(jumping, "calib.txt"), read(source, "calib.txt"))
+
+        found = self.relocalize("kidnapped", data="jumping")
+        states = [event["state"] for event in found["events"]]
+        self.assertEqual(states[:3], ["searching", "localized", "lost"])
+        self.assertEqual(states[-1], "localized")
+        lost = found["events"][2]
+        self.assertGreaterEqual(lost["scan"], 60)
+        self.assertLessEqual(lost["scan"], 90)
+        self.assertNotEqual(lost["reason"], "")
+        for pose in found["poses"][:60] + found["poses"][-5:]:
+            if pose["localized"]:
+                self.assertLess(pose["position_error_m"], 0.5)
 
     def test_elsewhere_nothing_is_claimed(self):
         self.simulate("elsewhere", "--seed=99", "--route=city", "--length=90")

@@ -10,11 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "cartographer/submap/active_submaps.h"
 #include "cartographer/transform/se3.h"
 #include "glog/logging.h"
 #include "tbb/task_arena.h"
-#include "test/cartographer/pose_graph/street_scene.h"
+#include "test/cartographer/pose_graph/street_drive.h"
 #include "test/cartographer/scan_matching/small_scenes.h"
 #include "test/testing/shipped_options.h"
 
@@ -57,32 +56,13 @@ std::vector<Rigid3d> Drifted(const std::vector<Rigid3d>& truth) {
   return poses;
 }
 
-submap::proto::SubmapOptions SmallSubmaps() {
-  submap::proto::SubmapOptions options;
-  options.set_scans_per_submap(12);
-  options.set_resolution_m(0.2);
-  options.mutable_cloud()->set_voxel_size_m(1.);
-  options.mutable_cloud()->set_max_points_per_voxel(20);
-  options.mutable_cloud()->set_max_critical_points_per_voxel(20);
-  return options;
-}
-
 std::unique_ptr<PoseGraph> Drive(const proto::PoseGraphOptions& options) {
   const sensor::LabelSet labels = scan_matching::SmallLabelSet();
   auto graph = PoseGraph::Create(options, labels);
   CHECK(graph.ok()) << graph.status();
-  const std::vector<ScenePoint> street = MakeStreet({});
   const std::vector<Rigid3d> truth = TrueDrive();
-  const std::vector<Rigid3d> local = Drifted(truth);
-  submap::ActiveSubmaps submaps(SmallSubmaps(), labels);
   std::vector<common::StageTime> times;
-  for (int i = 0; i < static_cast<int>(truth.size()); ++i) {
-    auto cloud = std::make_shared<sensor::LabeledPointCloud>();
-    if (!OnDetour(i)) *cloud = SeeFrom(street, truth[i], {/*visit=*/i, /*share=*/0.1});
-    (*graph)->AddNode({0, i}, {common::FromUnixSeconds(0.1 * i), {}, local[i], cloud},
-                      submaps.AddScan(*cloud, *cloud, local[i]), &times);
-  }
-  submaps.FinishAll();
+  DriveOnStreet({0, truth, Drifted(truth), OnDetour}, graph->get());
   (*graph)->Finish(&times);
   return *std::move(graph);
 }
