@@ -16,6 +16,7 @@
 #include "cartographer/scan_matching/refine_in_plane.h"
 #include "cartographer/scan_matching/submap_matcher.h"
 #include "cartographer/transform/rigid_transform.h"
+#include "cartographer/transform/se3.h"
 #include "glog/logging.h"
 
 namespace cartographer::pose_graph {
@@ -30,6 +31,10 @@ using transform::Rigid3d;
 // What candidates share (a node's scan, a submap's surfaces) is made once for as many as this, and
 // then dropped: neighbours come one after the other, and memory stays bounded.
 constexpr size_t kCandidatesAtOnce = 64;
+
+// What a match in the plane leaves open, so wide that it hardly pulls.
+constexpr double kUnseenHeight_m = 10.;
+constexpr double kUnseenTilt_rad = 0.2;
 
 constexpr size_t kBytesPerMiB = size_t{1} << 20;
 
@@ -228,8 +233,11 @@ void ClosureSearch::VerifyInPlane(const scan_matching::PlanarRefinement& refined
   constraint.submap_from_node = Rigid3d::Translation({0., 0., height_m}) *
                                 scan_matching::InSpace(refined.submap_from_node) *
                                 LevelFromNode(node);
-  constraint.translation_weight = 1. / options_.planar_closure().sigma_m();
-  constraint.rotation_weight = 180. / M_PI / options_.planar_closure().sigma_deg();
+  const double sigma_m = options_.planar_closure().sigma_m();
+  const double sigma_rad = options_.planar_closure().sigma_deg() * M_PI / 180.;
+  transform::Twist sigmas;
+  sigmas << sigma_m, sigma_m, kUnseenHeight_m, kUnseenTilt_rad, kUnseenTilt_rad, sigma_rad;
+  constraint.information = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
   closure->inlier_ratio = refined.agreement;
   closure->overlap = refined.agreement;
   DescribeCorrection(graph, closure);

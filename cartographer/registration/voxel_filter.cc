@@ -26,9 +26,7 @@ LabeledPointCloud FilterByVoxel(const LabeledPointCloud& cloud, double voxel_siz
   for (size_t i = 0; i < cloud.size(); ++i) {
     const VoxelKey key = KeyOf(VoxelOf(cloud.positions[i].cast<double>(), 1. / voxel_size_m));
     if (voxels.FindOrInsert(key, 0) != VoxelIndex::kNone) continue;
-    filtered.positions.push_back(cloud.positions[i]);
-    filtered.labels.push_back(cloud.labels[i]);
-    filtered.certainties.push_back(cloud.certainties[i]);
+    filtered.Append(cloud, i);
   }
   return filtered;
 }

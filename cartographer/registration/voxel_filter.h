@@ -9,7 +9,7 @@
 namespace cartographer::registration {
 
 // The first point of every voxel of side `voxel_size_m` (> 0, CHECKed), in their order. Positions
-// must be finite. Intensities and times are not kept.
+// must be finite.
 sensor::LabeledPointCloud FilterByVoxel(const sensor::LabeledPointCloud& cloud,
                                         double voxel_size_m);
 

@@ -28,6 +28,7 @@ absl::Status NotJoined(const pose_graph::VerdictCounts& verdicts) {
 }  // namespace
 
 absl::StatusOr<MergedMap> MergeMaps(const map::Map& first, map::Map second,
+                                    const sensor::LabelSet& labels,
                                     std::unique_ptr<pose_graph::PoseGraph> pose_graph) {
   second = map::Renumbered(std::move(second), NextTrajectoryId(first));
   const std::set<int> ids_of_second = TrajectoriesOf(second);
@@ -38,7 +39,7 @@ absl::StatusOr<MergedMap> MergeMaps(const map::Map& first, map::Map second,
   merged.closures = pose_graph->closures();
   merged.verdicts = pose_graph->verdicts();
   if (merged.closures.empty()) return NotJoined(merged.verdicts);
-  merged.map = MapOf(pose_graph->Release(), first.labels);
+  merged.map = MapOf(pose_graph->Release(), labels);
   merged.map.configuration_lua = first.configuration_lua;
   merged.map.history = first.history;
   merged.map.history.insert(merged.map.history.end(), second.history.begin(), second.history.end());

@@ -35,7 +35,8 @@ absl::Status RunMerge() {
   ASSIGN_OR_RETURN(Map second, LoadMapFor(configuration.labels, FLAGS_other_map, {}));
   ASSIGN_OR_RETURN(auto pose_graph, cartographer::pose_graph::PoseGraph::Create(
                                         configuration.options.pose_graph(), configuration.labels));
-  auto merged = cartographer::slam::MergeMaps(first, std::move(second), std::move(pose_graph));
+  auto merged = cartographer::slam::MergeMaps(first, std::move(second), configuration.labels,
+                                              std::move(pose_graph));
   RETURN_IF_ERROR(cartographer::common::AddContext(merged.status(),
                                                    absl::StrCat(FLAGS_map, ", ", FLAGS_other_map)));
   merged->map.history.push_back(absl::StrCat(

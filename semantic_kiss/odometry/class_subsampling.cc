@@ -29,10 +29,7 @@ std::vector<LabeledPointCloud> Split(const LabeledPointCloud& cloud,
   }
   std::vector<LabeledPointCloud> parts(groups.size() + 1);
   for (size_t i = 0; i < cloud.size(); ++i) {
-    LabeledPointCloud& part = parts[group_of_label[cartographer::sensor::Index(cloud.labels[i])]];
-    part.positions.push_back(cloud.positions[i]);
-    part.labels.push_back(cloud.labels[i]);
-    part.certainties.push_back(cloud.certainties[i]);
+    parts[group_of_label[cartographer::sensor::Index(cloud.labels[i])]].Append(cloud, i);
   }
   return parts;
 }
