@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "test/cartographer/submap/one_point.h"
+
 namespace cartographer::submap {
 namespace {
 
@@ -42,14 +44,6 @@ proto::SubmapOptions Options(int scans_per_submap) {
   options.mutable_cloud()->set_voxel_size_m(1.);
   options.mutable_cloud()->set_max_points_per_voxel(10);
   return options;
-}
-
-LabeledPointCloud OnePoint(const Eigen::Vector3f& position, Label label) {
-  LabeledPointCloud cloud;
-  cloud.positions.push_back(position);
-  cloud.labels.push_back(label);
-  cloud.certainties.push_back(1.f);
-  return cloud;
 }
 
 TEST(ActiveSubmapsTest, EachScanGoesIntoTwoSubmapsOnceTheDriveIsUnderWay) {
