@@ -29,6 +29,7 @@ install(FILES ${PROJECT_BINARY_DIR}/semantic_kissConfig.cmake
         DESTINATION ${package_dir})
 
 install(DIRECTORY cartographer semantic_kiss ${PROJECT_BINARY_DIR}/generated/cartographer
+                  ${PROJECT_BINARY_DIR}/generated/semantic_kiss
         DESTINATION ${header_dir} FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY proto/ DESTINATION ${data_dir}/proto FILES_MATCHING PATTERN "*.proto")
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -5,6 +5,7 @@
 
 #include "cartographer/sensor/proto/label_set.pb.h"
 #include "cartographer/transform/se3.h"
+#include "semantic_kiss/odometry/adaptive_threshold.h"
 
 // Exits with 0 if the installed headers, messages and libraries work together.
 int main() {
@@ -15,6 +16,11 @@ int main() {
 
   cartographer::sensor::proto::LabelSet labels;
   labels.add_classes()->set_name("pole");
+
+  semantic_kiss::odometry::proto::AdaptiveThresholdOptions options;
+  options.set_initial_m(2.);
+  const semantic_kiss::odometry::AdaptiveThreshold threshold(options, 100.);
+  if (threshold.Sigma() != 2.) return 1;
 
   std::printf("%s, %s\n", there.DebugString().c_str(), labels.classes(0).name().c_str());
   return (back - twist).norm() < 1e-9 ? 0 : 1;
