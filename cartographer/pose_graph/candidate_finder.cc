@@ -98,6 +98,12 @@ std::vector<ClosureCandidate> CandidateFinder::ByPlace(const std::vector<NodeId>
   return ForEachNode(node_ids, [&](const NodeId& id) { return PlacesOf(id, graph, topology); });
 }
 
+std::vector<ClosureCandidate> CandidateFinder::Everywhere(const NodeId& node_id, const Graph& graph,
+                                                          const Topology& topology) const {
+  return CandidatesEverywhere(node_id, Uncertain(node_id, graph, topology), options_.search_all(),
+                              graph, topology);
+}
+
 std::vector<SubmapId> CandidateFinder::Uncertain(const NodeId& node_id, const Graph& graph,
                                                  const Topology& topology) const {
   return UncertainVisits(node_id, VisitsOf(node_id, graph, topology), options_, graph, topology);

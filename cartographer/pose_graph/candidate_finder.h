@@ -43,11 +43,14 @@ class CandidateFinder {
   // among those that the estimate neither finds nor rules out.
   std::vector<ClosureCandidate> ByPlace(const std::vector<submap::NodeId>& node_ids,
                                         const Graph& graph, const Topology& topology) const;
-  // These, in ascending order.
-  std::vector<submap::SubmapId> Uncertain(const submap::NodeId& node_id, const Graph& graph,
-                                          const Topology& topology) const;
+  // For one node: all of the map, as far as the estimate neither finds the node nor rules it out.
+  std::vector<ClosureCandidate> Everywhere(const submap::NodeId& node_id, const Graph& graph,
+                                           const Topology& topology) const;
 
  private:
+  // In ascending order.
+  std::vector<submap::SubmapId> Uncertain(const submap::NodeId& node_id, const Graph& graph,
+                                          const Topology& topology) const;
   std::vector<OtherVisit> VisitsOf(const submap::NodeId& node_id, const Graph& graph,
                                    const Topology& topology) const;
   std::vector<ClosureCandidate> PlacesOf(const submap::NodeId& node_id, const Graph& graph,

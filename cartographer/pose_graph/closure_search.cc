@@ -243,30 +243,38 @@ void ClosureSearch::VerifyInPlane(const scan_matching::PlanarRefinement& refined
   DescribeCorrection(graph, closure);
 }
 
-std::optional<ClosureCandidate> ClosureSearch::FindAnywhere(const NodeId& node_id,
-                                                            const SubmapId& own_submap_id,
-                                                            const std::vector<SubmapId>& among,
-                                                            const Graph& graph) {
+std::optional<ClosureCandidate> ClosureSearch::FindBest(
+    const std::vector<ClosureCandidate>& candidates, const SubmapId& own_submap_id,
+    const Graph& graph) {
+  if (candidates.empty()) return std::nullopt;
+  const proto::CandidateOptions& options = options_.candidates();
   const submap::Submap& own = *graph.submaps.at(own_submap_id).submap;
+  const submap::PlacedNode& node = graph.nodes.at(candidates.front().node_id);
   const Rigid3d level_from_own =
-      transform::Level(graph.nodes.at(node_id).local_from_node).inverse() * own.local_from_submap;
-  const MatchingScan scan(Moved(own.cloud, level_from_own), model_);
+      transform::Level(node.local_from_node).inverse() * own.local_from_submap;
+  const MatchingScan scan(Moved(own.cloud, level_from_own), model_,
+                          options.search_all().max_points());
   std::optional<ClosureCandidate> best;
-  double best_score = options_.min_score();
-  for (size_t begin = 0; begin < among.size(); begin += kCandidatesAtOnce) {
-    const size_t size = std::min(among.size() - begin, kCandidatesAtOnce);
-    std::vector<std::shared_ptr<const scan_matching::SubmapMatcher>> matchers(size);
+  double best_score = options.search_all().min_score();
+  for (size_t begin = 0; begin < candidates.size(); begin += kCandidatesAtOnce) {
+    const size_t size = std::min(candidates.size() - begin, kCandidatesAtOnce);
+    std::vector<scan_matching::SearchArea> areas(size);
     common::ParallelChunks(size, 1, [&](size_t i, size_t) {
-      const SubmapId& id = among[begin + i];
-      matchers[i] = matchers_.Get(id, *graph.submaps.at(id).submap);
+      const ClosureCandidate& candidate = candidates[begin + i];
+      const SubmapId& id = candidate.submap_id;
+      areas[i] = {matchers_.Get(id, *graph.submaps.at(id).submap),
+                  {{candidate.submap_from_node_guess, candidate.window}}};
     });
-    const auto found = scan_matching::MatchInAllSubmaps(matchers, scan, best_score);
+    const auto found = scan_matching::MatchInAny(areas, scan, best_score);
     if (!found.has_value() || (best.has_value() && found->match.score <= best_score)) continue;
     best_score = found->match.score;
-    best = {node_id, among[begin + found->index], found->match.submap_from_node,
-            scan_matching::SearchWindow{options_.candidates().place_linear_m(),
-                                        options_.candidates().place_angular_deg() * M_PI / 180.},
-            /*by_place_recognition=*/true};
+    best = candidates[begin + found->index];
+    best->submap_from_node_guess = found->match.submap_from_node;
+  }
+  VLOG(1) << "best of " << candidates.size()
+          << " submaps: " << (best.has_value() ? best_score : 0.);
+  if (best.has_value()) {
+    best->window = {options.place_linear_m(), options.place_angular_deg() * M_PI / 180.};
   }
   return best;
 }

@@ -41,13 +41,12 @@ class ClosureSearch {
   std::vector<SearchedCandidate> Search(const std::vector<ClosureCandidate>& candidates,
                                         const Graph& graph);
 
-  // Looks for a node everywhere in some submaps, by all that its own finished submap shows. The one
-  // where most agrees, as a candidate; nullopt if it scores less than options.min_score() in all.
-  // The submaps share the best score so far as their bound.
-  std::optional<ClosureCandidate> FindAnywhere(const submap::NodeId& node_id,
-                                               const submap::SubmapId& own_submap_id,
-                                               const std::vector<submap::SubmapId>& among,
-                                               const Graph& graph);
+  // Of candidates for one node, the place where most of what its own finished submap shows agrees,
+  // as a candidate with a small window; nullopt if that scores less than the options of the search
+  // of all submaps want. The candidates share the best score so far as their bound.
+  std::optional<ClosureCandidate> FindBest(const std::vector<ClosureCandidate>& candidates,
+                                           const submap::SubmapId& own_submap_id,
+                                           const Graph& graph);
 
   // Forgets what was kept of a submap that is gone.
   void Forget(const submap::SubmapId& submap_id) { matchers_.Remove(submap_id); }

@@ -104,6 +104,26 @@ std::vector<SubmapId> UncertainVisits(const NodeId& node_id, const std::vector<O
   return uncertain;
 }
 
+std::vector<ClosureCandidate> CandidatesEverywhere(const NodeId& node_id,
+                                                   const std::vector<SubmapId>& among,
+                                                   const proto::SearchAllOptions& options,
+                                                   const Graph& graph, const Topology& topology) {
+  std::vector<Eigen::Vector2d> middles;
+  std::vector<ClosureCandidate> candidates;
+  for (const SubmapId& submap_id : among) {
+    const NodeId& middle = *topology.MiddleNode(submap_id);
+    const Eigen::Vector2d position = graph.nodes.at(middle).map_from_node.translation().head<2>();
+    const auto is_near = [&](const Eigen::Vector2d& other) {
+      return (other - position).norm() < options.linear_m() / 2.;
+    };
+    if (std::any_of(middles.begin(), middles.end(), is_near)) continue;
+    middles.push_back(position);
+    candidates.push_back({node_id, submap_id, EstimateInPlane(graph, middle, submap_id),
+                          SearchWindow{options.linear_m(), M_PI}, true});
+  }
+  return candidates;
+}
+
 ClosureCandidate CandidateAtPlace(const NodeId& node_id, const PlaceCandidate& place,
                                   const PlanarPose& query_from_node,
                                   const proto::CandidateOptions& options) {

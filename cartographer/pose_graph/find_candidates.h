@@ -54,6 +54,13 @@ std::vector<submap::SubmapId> UncertainVisits(const submap::NodeId& node_id,
                                               const proto::CandidateOptions& options,
                                               const Graph& graph, const Topology& topology);
 
+// All of these submaps, to be searched at all headings around their middle nodes, as far as
+// `options` say; of those near each other only the first one.
+std::vector<ClosureCandidate> CandidatesEverywhere(const submap::NodeId& node_id,
+                                                   const std::vector<submap::SubmapId>& among,
+                                                   const proto::SearchAllOptions& options,
+                                                   const Graph& graph, const Topology& topology);
+
 // A proposal of place recognition, which compares submaps, as a candidate for a node of the submap
 // that was asked for.
 ClosureCandidate CandidateAtPlace(const submap::NodeId& node_id, const PlaceCandidate& place,

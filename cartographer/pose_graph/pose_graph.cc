@@ -178,7 +178,7 @@ void PoseGraph::RunRound(const Nodes& nearby, const Nodes& recognizable,
 }
 
 void PoseGraph::SearchEverywhere(const Nodes& recognizable, const Topology& topology) {
-  const int patience = options_.candidates().search_all_after_nodes();
+  const int patience = options_.candidates().search_all().after_nodes();
   if (patience == 0) return;
   for (const NodeId& node_id : recognizable) {
     const auto outcome = outcome_of_node_.find(node_id);
@@ -187,9 +187,8 @@ void PoseGraph::SearchEverywhere(const Nodes& recognizable, const Topology& topo
     not_recognized_ = found ? 0 : not_recognized_ + 1;
     if (not_recognized_ < patience || IsTied(node_id.trajectory_id)) continue;
     not_recognized_ = 0;
-    const auto candidate =
-        search_.FindAnywhere(node_id, *topology.OldestSubmapOf(node_id),
-                             finder_.Uncertain(node_id, graph_, topology), graph_);
+    const auto candidate = search_.FindBest(finder_.Everywhere(node_id, graph_, topology),
+                                            *topology.OldestSubmapOf(node_id), graph_);
     if (candidate.has_value()) Book(search_.Search({*candidate}, graph_));
   }
 }

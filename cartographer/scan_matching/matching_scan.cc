@@ -61,7 +61,8 @@ int64_t TotalWeight(const std::vector<Place>& places, size_t step) {
 
 }  // namespace
 
-MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model) {
+MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model,
+                           size_t max_points) {
   std::vector<Place> places;
   places.reserve(cloud.size());
   float max_squared_range = 0.f;
@@ -78,9 +79,8 @@ MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreMo
         {layer, PlaceOnCurve(position), static_cast<uint32_t>(i), model.WeightOf(cloud.labels[i])});
   }
   std::sort(places.begin(), places.end());
-  // Sums are 32 bits wide.
   size_t step = 1;
-  while (TotalWeight(places, step) > kMaxTotalWeight) ++step;
+  while (places.size() / step > max_points || TotalWeight(places, step) > kMaxTotalWeight) ++step;
   for (size_t i = 0; i < places.size(); i += step) {
     const Place& place = places[i];
     if (layers_.empty() || layers_.back().layer != place.layer) {

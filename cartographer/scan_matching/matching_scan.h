@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "cartographer/scan_matching/planar_pose.h"
@@ -41,9 +42,10 @@ class MatchingScan {
  public:
   // `cloud` is in the node's frame, which must be level (z up along gravity). Points without a
   // layer, beyond the model's max_range_m or with a coordinate that is not finite are left out.
-  // Sums are 32 bits wide: of scans with a total weight above 131 000 only every second (third,
-  // ...) point along the curve is kept.
-  MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model);
+  // Of more than `max_points` points, or a total weight above 131 000 (sums are 32 bits wide), only
+  // every second (third, ...) point along the curve is kept.
+  MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model,
+               size_t max_points = std::numeric_limits<size_t>::max());
 
   bool empty() const { return weights_.empty(); }
   size_t size() const { return weights_.size(); }

@@ -66,15 +66,17 @@ double SubmapMatcher::ScoreAt(const MatchingScan& scan, const PlanarPose& submap
   return static_cast<double>(sum) / FullScore(scan);
 }
 
-std::optional<MatchInSubmaps> MatchInAllSubmaps(
-    const std::vector<std::shared_ptr<const SubmapMatcher>>& matchers, const MatchingScan& scan,
-    double min_score) {
+std::optional<MatchInAreas> MatchInAny(const std::vector<SearchArea>& areas,
+                                       const MatchingScan& scan, double min_score) {
   SharedScore shared;
-  std::vector<std::optional<Match>> matches(matchers.size());
-  common::ParallelChunks(matchers.size(), 1, [&](size_t i, size_t) {
-    matches[i] = matchers[i]->MatchInWholeSubmap(scan, min_score, &shared);
+  std::vector<std::optional<Match>> matches(areas.size());
+  common::ParallelChunks(areas.size(), 1, [&](size_t i, size_t) {
+    const auto& [matcher, around] = areas[i];
+    matches[i] = around.has_value() ? matcher->MatchInWindow(scan, around->guess, around->window,
+                                                             min_score, &shared)
+                                    : matcher->MatchInWholeSubmap(scan, min_score, &shared);
   });
-  std::optional<MatchInSubmaps> best;
+  std::optional<MatchInAreas> best;
   for (size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].has_value()) continue;
     if (!best.has_value() || matches[i]->score > best->match.score) best = {i, *matches[i]};

@@ -59,18 +59,27 @@ class SubmapMatcher {
   ScorePyramid pyramid_;
 };
 
-// The best match of a scan in any of the submaps, each searched wholly.
-struct MatchInSubmaps {
-  size_t index;  // of the matcher
+// A submap to search, and where in it.
+struct SearchArea {
+  std::shared_ptr<const SubmapMatcher> matcher;
+  struct Around {
+    PlanarPose guess;
+    SearchWindow window;
+  };
+  std::optional<Around> around;  // nullopt: all of it
+};
+
+// The best match of a scan in any of several areas.
+struct MatchInAreas {
+  size_t index;  // of the area
   Match match;
 };
 
-// The highest score wins, the first matcher on ties; nullopt if no submap has a pose that scores at
-// least `min_score`. Submaps are searched in parallel and share the best score as their bound: once
-// the right one is found the others are soon done.
-std::optional<MatchInSubmaps> MatchInAllSubmaps(
-    const std::vector<std::shared_ptr<const SubmapMatcher>>& matchers, const MatchingScan& scan,
-    double min_score);
+// The highest score wins, the first area on ties; nullopt if none has a pose that scores at least
+// `min_score`. Areas are searched in parallel and share the best score as their bound: once the
+// right one is found the others are soon done.
+std::optional<MatchInAreas> MatchInAny(const std::vector<SearchArea>& areas,
+                                       const MatchingScan& scan, double min_score);
 
 }  // namespace cartographer::scan_matching
 

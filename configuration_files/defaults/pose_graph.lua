@@ -29,7 +29,12 @@ POSE_GRAPH = {
     place_window_above_m = 6.0,
     place_linear_m = 8.0,
     place_angular_deg = 12.0,
-    search_all_after_nodes = 0,
+    search_all = {
+      after_nodes = 0,
+      linear_m = 16.0,
+      max_points = 1000,
+      min_score = 0.4,
+    },
   },
   place_recognition = PLACE_RECOGNITION,
   scan_matching = SCAN_MATCHING,

@@ -8,7 +8,7 @@ namespace semantic_kiss::cli {
 const std::vector<Command>& Commands() {
   static const auto& commands = *new std::vector<Command>{
       RunCommand(),    RelocalizeCommand(), SimulateCommand(), EvaluateCommand(), InfoCommand(),
-      FilterCommand(), MergeCommand(),      RenderCommand(),   ConfigCommand(),
+      FilterCommand(), MergeCommand(),      ScansCommand(),    RenderCommand(),   ConfigCommand(),
   };
   return commands;
 }

@@ -19,6 +19,7 @@ Command EvaluateCommand();
 Command FilterCommand();
 Command InfoCommand();
 Command MergeCommand();
+Command ScansCommand();
 Command RelocalizeCommand();
 Command RenderCommand();
 Command RunCommand();

@@ -3,7 +3,6 @@
 
 #include "semantic_kiss/simulation/sequence_writer.h"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include "cartographer/common/status.h"
 #include "cartographer/io/atomic_file.h"
 #include "cartographer/io/trajectory_files.h"
+#include "semantic_kiss/dataset/scan_writer.h"
 #include "semantic_kiss/simulation/material.h"
 #include "semantic_kiss/simulation/recorded_route.h"
 
@@ -33,16 +33,6 @@ absl::Status MakeDirectory(const std::string& path) {
   if (!error) return absl::OkStatus();
   return absl::PermissionDeniedError(
       absl::StrCat(path, ": cannot make this directory: ", error.message()));
-}
-
-// One number a point as the bytes of a file.
-template <typename Number, typename Get>
-std::string Bytes(const SimulatedScan& points, const Get& get) {
-  std::vector<Number> numbers;
-  numbers.reserve(points.size());
-  for (const SimulatedPoint& point : points) numbers.push_back(get(point));
-  return std::string(reinterpret_cast<const char*>(numbers.data()),
-                     numbers.size() * sizeof(Number));
 }
 
 // As in SemanticKITTI, the upper 16 bits tell the individuals of countable classes apart.
@@ -71,15 +61,7 @@ absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory
                                                     const ScanColumns& columns,
                                                     absl::string_view manifest) {
   SequenceWriter writer(absl::StrCat(directory, "/sequences/", sequence), columns);
-  for (const char* folder : {"velodyne", "labels"}) {
-    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/", folder)));
-  }
-  if (columns.certainties) {
-    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/confidences")));
-  }
-  if (columns.times) {
-    RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/point_times")));
-  }
+  RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/velodyne")));
   const std::string path = absl::StrCat(writer.directory_, "/", kManifest);
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -101,33 +83,23 @@ absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory
   return writer;
 }
 
-std::string SequenceWriter::PathOf(absl::string_view folder, int scan,
-                                   absl::string_view ending) const {
-  return absl::StrFormat("%s/%s/%06d.%s", directory_, folder, scan, ending);
-}
-
 bool SequenceWriter::IsComplete(int scan) const {
-  return std::filesystem::exists(PathOf("velodyne", scan, "bin"));
+  return std::filesystem::exists(dataset::PointFileOf(directory_, scan));
 }
 
 absl::Status SequenceWriter::WriteScan(int scan, const SimulatedScan& points) const {
-  RETURN_IF_ERROR(
-      WriteFileAtomically(PathOf("labels", scan, "label"), Bytes<uint32_t>(points, LabelWord)));
-  if (columns_.certainties) {
-    RETURN_IF_ERROR(WriteFileAtomically(
-        PathOf("confidences", scan, "conf"),
-        Bytes<float>(points, [](const SimulatedPoint& point) { return point.certainty; })));
+  dataset::ScanFiles files;
+  files.label_words.emplace();
+  if (columns_.certainties) files.certainties.emplace();
+  if (columns_.times) files.times_s.emplace();
+  for (const SimulatedPoint& point : points) {
+    const Eigen::Vector3f& position = point.position;
+    files.points.push_back({position.x(), position.y(), position.z(), point.remission});
+    files.label_words->push_back(LabelWord(point));
+    if (columns_.certainties) files.certainties->push_back(point.certainty);
+    if (columns_.times) files.times_s->push_back(point.time_s);
   }
-  if (columns_.times) {
-    RETURN_IF_ERROR(WriteFileAtomically(
-        PathOf("point_times", scan, "bin"),
-        Bytes<float>(points, [](const SimulatedPoint& point) { return point.time_s; })));
-  }
-  return WriteFileAtomically(PathOf("velodyne", scan, "bin"),
-                             Bytes<std::array<float, 4>>(points, [](const SimulatedPoint& point) {
-                               return std::array<float, 4>{point.position.x(), point.position.y(),
-                                                           point.position.z(), point.remission};
-                             }));
+  return dataset::WriteScanFiles(directory_, scan, files);
 }
 
 absl::Status SequenceWriter::WriteDrive(const std::vector<Rigid3d>& start_from_lidar,

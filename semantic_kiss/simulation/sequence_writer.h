@@ -45,7 +45,6 @@ class SequenceWriter {
  private:
   SequenceWriter(std::string directory, const ScanColumns& columns)
       : directory_(std::move(directory)), columns_(columns) {}
-  std::string PathOf(absl::string_view folder, int scan, absl::string_view ending) const;
 
   std::string directory_;  // DIR/sequences/NN
   ScanColumns columns_;

@@ -106,7 +106,7 @@ TEST_F(DriveInMapTest, WithoutAnyProposalItStaysApart) {
 
 TEST_F(DriveInMapTest, AllOfTheMapIsSearchedWherePlacesAreNotRecognized) {
   const auto graph = Visit(
-      "POSE_GRAPH.candidates.max_places = 0\nPOSE_GRAPH.candidates.search_all_after_nodes = 1");
+      "POSE_GRAPH.candidates.max_places = 0\nPOSE_GRAPH.candidates.search_all.after_nodes = 1");
   ExpectInPlace(*graph, drive_, 0.15);
 }
 

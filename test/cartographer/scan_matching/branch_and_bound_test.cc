@@ -207,7 +207,7 @@ TEST_P(BranchAndBoundTest, ASharedBoundNeverChangesTheWinner) {
     if (!alone[best].has_value()) continue;
     for (const int num_threads : {1, 2, 8}) {
       const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, num_threads);
-      const auto together = MatchInAllSubmaps(matchers, scan, 0.);
+      const auto together = MatchInAny({matchers.begin(), matchers.end()}, scan, 0.);
       ASSERT_TRUE(together.has_value());
       EXPECT_EQ(together->index, best);
       EXPECT_EQ(together->match.score, alone[best]->score);
