@@ -22,6 +22,8 @@ struct Closure {
   double correction_m = 0.;
   double correction_deg = 0.;
   bool by_place_recognition = false;
+  // Says nothing of height, roll and pitch.
+  bool in_plane = false;
 };
 
 // Candidates by what became of them: "accepted", "no_match", "no_agreement" or a word of

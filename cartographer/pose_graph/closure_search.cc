@@ -107,6 +107,7 @@ void DescribeCorrection(const Graph& graph, Closure* closure) {
 ClosureSearch::ClosureSearch(const proto::PoseGraphOptions& options,
                              const scan_matching::ScoreModel& model, const sensor::LabelSet& labels)
     : options_(options),
+      verify_in_plane_(options.verify_in() == "plane"),
       model_(model),
       labels_(labels),
       matchers_(model, static_cast<size_t>(options.scan_matching().cache_mib() * kBytesPerMiB)) {}
@@ -124,7 +125,7 @@ std::vector<SearchedCandidate> ClosureSearch::Search(
 void ClosureSearch::SearchSome(const std::vector<ClosureCandidate>& candidates, const Graph& graph,
                                std::vector<SearchedCandidate>* results) {
   const Scans scans = MakeScans(candidates, graph);
-  const Targets targets = MakeTargets(candidates, graph);
+  const Targets targets = verify_in_plane_ ? Targets() : MakeTargets(candidates, graph);
   const size_t first = results->size();
   results->resize(first + candidates.size());
   TrajectoryGroups groups(graph);
@@ -134,8 +135,10 @@ void ClosureSearch::SearchSome(const std::vector<ClosureCandidate>& candidates, 
                    groups.FirstOf(candidate.submap_id.trajectory_id));
   }
   common::ParallelChunks(candidates.size(), 1, [&](size_t i, size_t) {
-    (*results)[first + i] = SearchOne(candidates[i], *scans.at(candidates[i].node_id),
-                                      *targets.at(candidates[i].submap_id), tied[i] != 0, graph);
+    const auto target = targets.find(candidates[i].submap_id);
+    (*results)[first + i] =
+        SearchOne(candidates[i], *scans.at(candidates[i].node_id),
+                  target == targets.end() ? nullptr : target->second.get(), tied[i] != 0, graph);
   });
 }
 
@@ -176,7 +179,7 @@ std::shared_ptr<const ClosureTarget> ClosureSearch::MakeTarget(const SubmapId& s
 }
 
 SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
-                                           const MatchingScan& scan, const ClosureTarget& target,
+                                           const MatchingScan& scan, const ClosureTarget* target,
                                            bool tied, const Graph& graph) {
   SearchedCandidate result;
   Closure& closure = result.closure;
@@ -198,7 +201,7 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
   const scan_matching::PlanarRefinement refined = scan_matching::RefineInPlane(
       *matcher, scan, match->submap_from_node, options_.scan_matching().refinement());
 
-  if (options_.verify_in() == "plane") {
+  if (verify_in_plane_) {
     VerifyInPlane(refined, graph, &closure);
     result.verdict = std::string(VerdictName(Verdict::kAccepted));
     return result;
@@ -209,7 +212,7 @@ SearchedCandidate ClosureSearch::SearchOne(const ClosureCandidate& candidate,
       tied ? LevelFromNode(node, graph.submaps.at(candidate.submap_id))
            : LevelFromVisitor(submap_from_level, candidate.submap_id, graph);
   const ClosureReport report = VerifyClosure(*node.cloud, submap_from_level * level_from_node,
-                                             target, options_.verification());
+                                             *target, options_.verification());
   result.verdict = std::string(VerdictName(report.verdict));
   closure.overlap = report.overlap;
   closure.inlier_ratio = report.inlier_ratio;
@@ -238,6 +241,7 @@ void ClosureSearch::VerifyInPlane(const scan_matching::PlanarRefinement& refined
   transform::Twist sigmas;
   sigmas << sigma_m, sigma_m, kUnseenHeight_m, kUnseenTilt_rad, kUnseenTilt_rad, sigma_rad;
   constraint.information = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+  closure->in_plane = true;
   closure->inlier_ratio = refined.agreement;
   closure->overlap = refined.agreement;
   DescribeCorrection(graph, closure);

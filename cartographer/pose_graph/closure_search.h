@@ -62,13 +62,15 @@ class ClosureSearch {
   Targets MakeTargets(const std::vector<ClosureCandidate>& candidates, const Graph& graph) const;
   std::shared_ptr<const ClosureTarget> MakeTarget(const submap::SubmapId& submap_id,
                                                   const Graph& graph) const;
+  // `target` is only used in space.
   SearchedCandidate SearchOne(const ClosureCandidate& candidate,
-                              const scan_matching::MatchingScan& scan, const ClosureTarget& target,
+                              const scan_matching::MatchingScan& scan, const ClosureTarget* target,
                               bool tied, const Graph& graph);
   void VerifyInPlane(const scan_matching::PlanarRefinement& refined, const Graph& graph,
                      Closure* closure) const;
 
   const proto::PoseGraphOptions options_;
+  const bool verify_in_plane_;
   const scan_matching::ScoreModel model_;
   const sensor::LabelSet labels_;
   scan_matching::MatcherCache matchers_;

@@ -19,6 +19,7 @@ using cartographer::pose_graph::Closure;
 using cartographer::slam::ScanPose;
 using cartographer::submap::NodeId;
 using cartographer::submap::SubmapId;
+using cartographer::transform::Level;
 using cartographer::transform::Rigid3d;
 using evaluation::ClosureClaim;
 using Json = nlohmann::ordered_json;
@@ -43,6 +44,13 @@ std::map<SubmapId, const Constraint*> AnchorsOf(const Map& map) {
   return anchors;
 }
 
+Rigid3d EarlierFromRevisit(const Constraint& anchor, const Closure& closure) {
+  if (!closure.in_plane) {
+    return anchor.submap_from_node.inverse() * closure.constraint.submap_from_node;
+  }
+  return Level(anchor.submap_from_node).inverse() * Level(closure.constraint.submap_from_node);
+}
+
 // Absent for closures with drives that were there before: the truth about them is not known.
 std::vector<std::optional<ClosureClaim>> ClaimsOf(const std::vector<Closure>& closures,
                                                   const Map& map,
@@ -56,8 +64,8 @@ std::vector<std::optional<ClosureClaim>> ClaimsOf(const std::vector<Closure>& cl
     const auto revisit = scan_of_node.find(closure.constraint.node_id);
     claims.emplace_back();
     if (earlier == scan_of_node.end() || revisit == scan_of_node.end()) continue;
-    claims.back() = {earlier->second, revisit->second,
-                     anchor.submap_from_node.inverse() * closure.constraint.submap_from_node};
+    claims.back() = {earlier->second, revisit->second, EarlierFromRevisit(anchor, closure),
+                     closure.in_plane};
   }
   return claims;
 }

@@ -13,7 +13,20 @@
 namespace semantic_kiss::evaluation {
 namespace {
 
+using cartographer::transform::Level;
 using cartographer::transform::Rigid3d;
+
+ClosureError ErrorInPlane(const Rigid3d& claimed, const Rigid3d& actual) {
+  const double turned_rad = cartographer::transform::Yaw(claimed.rotation()) -
+                            cartographer::transform::Yaw(actual.rotation());
+  return {(claimed.translation() - actual.translation()).head<2>().norm(),
+          std::abs(std::remainder(turned_rad, 2. * M_PI)) * 180. / M_PI};
+}
+
+ClosureError ErrorInSpace(const Rigid3d& claimed, const Rigid3d& actual) {
+  const Rigid3d error = claimed.inverse() * actual;
+  return {error.translation().norm(), cartographer::transform::RotationAngle(error) * 180. / M_PI};
+}
 
 std::vector<double> DrivenTo(const std::vector<Rigid3d>& truth) {
   std::vector<double> driven_m(truth.size(), 0.);
@@ -82,10 +95,12 @@ std::vector<ClosureError> ClosureErrors(const std::vector<ClosureClaim>& claims,
   for (const ClosureClaim& claim : claims) {
     CHECK(claim.earlier >= 0 && claim.earlier < static_cast<int>(truth.size()));
     CHECK(claim.revisit >= 0 && claim.revisit < static_cast<int>(truth.size()));
-    const Rigid3d true_earlier_from_revisit = truth[claim.earlier].inverse() * truth[claim.revisit];
-    const Rigid3d error = claim.earlier_from_revisit.inverse() * true_earlier_from_revisit;
+    const Rigid3d& earlier = truth[claim.earlier];
+    const Rigid3d& revisit = truth[claim.revisit];
     errors.push_back(
-        {error.translation().norm(), cartographer::transform::RotationAngle(error) * 180. / M_PI});
+        claim.in_plane
+            ? ErrorInPlane(claim.earlier_from_revisit, Level(earlier).inverse() * revisit)
+            : ErrorInSpace(claim.earlier_from_revisit, earlier.inverse() * revisit));
   }
   return errors;
 }

@@ -16,6 +16,8 @@ struct ClosureClaim {
   int earlier = 0;
   int revisit = 0;
   cartographer::transform::Rigid3d earlier_from_revisit;
+  // Only x, y and heading are claimed, between both scans' level frames.
+  bool in_plane = false;
 };
 
 struct ClosureError {
@@ -25,8 +27,8 @@ struct ClosureError {
   bool False() const { return distance_m > 1. || angle_deg > 2.; }
 };
 
-// How wrong each claim is. `truth`: poses of the sensor, one for each scan; the claims' indices
-// must be valid (CHECKed).
+// How wrong each claim is, in what it claims. `truth`: poses of the sensor in a level frame, one
+// for each scan; the claims' indices must be valid (CHECKed).
 std::vector<ClosureError> ClosureErrors(const std::vector<ClosureClaim>& claims,
                                         const std::vector<cartographer::transform::Rigid3d>& truth);
 

@@ -45,6 +45,29 @@ TEST(ClosureErrorsTest, DistanceAndAngleAreTheClaims) {
   EXPECT_TRUE(errors[1].False());
 }
 
+TEST(ClosureErrorsTest, ClaimsInThePlaneAreJudgedThere) {
+  std::vector<Rigid3d> truth = OutAndBack();
+  const Rigid3d level = truth[20].inverse() * truth[180];
+  // Both scans are tilted, and the road has risen by 2 m since.
+  const auto tilted = [](double angle, const Eigen::Vector3d& axis) {
+    return Rigid3d::Rotation(Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)));
+  };
+  truth[20] = truth[20] * tilted(0.1, Eigen::Vector3d::UnitY());
+  truth[180] =
+      Rigid3d::Translation({0., 0., 2.}) * truth[180] * tilted(0.1, Eigen::Vector3d::UnitX());
+  const Rigid3d moved = Rigid3d::Translation({0.3, 0.4, 0.}) * level;
+  const Rigid3d turned = level * tilted(3. * M_PI / 180., Eigen::Vector3d::UnitZ());
+  const auto errors = ClosureErrors(
+      {{20, 180, level, true}, {20, 180, moved, true}, {20, 180, turned, true}, {20, 180, level}},
+      truth);
+  EXPECT_NEAR(errors[0].distance_m, 0., 1e-9);
+  EXPECT_NEAR(errors[0].angle_deg, 0., 1e-6);
+  EXPECT_NEAR(errors[1].distance_m, 0.5, 1e-9);
+  EXPECT_NEAR(errors[2].angle_deg, 3., 1e-6);
+  EXPECT_TRUE(errors[2].False());
+  EXPECT_TRUE(errors[3].False());
+}
+
 TEST(ClosureErrorsTest, ClaimsMustBeAboutScansThatExist) {
   EXPECT_DEATH(ClosureErrors({{0, 7, {}}}, std::vector<Rigid3d>(7)), "truth");
 }
