@@ -65,6 +65,14 @@ class LoopClosureTest(ProgramTest):
             # The camera is not mounted quite level.
             self.assertAlmostEqual(of_odometry, of_map, delta=1e-3)
 
+    def test_the_baseline_in_the_plane_closes_the_loop(self):
+        odometry = self.drive("cartographer.lua", output="grids")
+        self.assertEqual(odometry["loop_closures"], [])
+        closed = self.drive("cartographer_loop_closure.lua", output="closed_grids")
+        self.assert_closed_rightly(closed)
+        self.assertEqual({closure["by"] for closure in closed["loop_closures"]}, {"nearby"})
+        self.assertLess(closed["metrics"]["ate_2d_m"], odometry["metrics"]["ate_2d_m"])
+
     def test_threads_change_nothing(self):
         for threads in (1, 2, 8):
             self.drive("semantic_kiss_6dof.lua", f"--threads={threads}", output=f"out{threads}")
