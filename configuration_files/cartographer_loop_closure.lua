@@ -1,9 +1,9 @@
 -- Copyright 2026 The Semantic KISS Authors
 -- SPDX-License-Identifier: Apache-2.0
 --
--- The baseline Cartographer with its loop closure: scans matched by occupancy with the submaps that
--- the estimate finds nearby, each match taken as it is, poses optimized in the plane. Labels decide
--- nothing.
+-- The baseline Cartographer with its loop closure: scans are matched by occupancy with the submaps
+-- that the estimate finds nearby, matches count as they are, poses are optimized in the plane. Labels
+-- decide nothing.
 
 include "defaults/run.lua"
 
@@ -11,7 +11,8 @@ RUN.local_trajectory_builder.name = "planar"
 
 local POSE_GRAPH = RUN.pose_graph
 
--- Submaps of 80 scans are long. Within a drive Cartographer trusts the estimate alone.
+-- Within a drive Cartographer relies on the estimate alone, with a window that does not grow. Submaps
+-- of 80 scans are long.
 local CANDIDATES = POSE_GRAPH.candidates
 CANDIDATES.max_distance_m = 25.0
 CANDIDATES.max_places = 0
@@ -28,5 +29,8 @@ POSE_GRAPH.scan_matching.score.score = "occupancy"
 POSE_GRAPH.min_score = 0.55
 POSE_GRAPH.verify_in = "plane"
 POSE_GRAPH.optimization.dof = 3
+-- Cartographer knows no errors that are the same all along a drive.
+local SYSTEMATIC = POSE_GRAPH.optimization.odometry.systematic
+for component in pairs(SYSTEMATIC) do SYSTEMATIC[component] = 0.0 end
 
 return RUN

@@ -5,16 +5,19 @@
 -- option means, its unit and its bounds stand in proto/cartographer/{slam,scan_matching,submap}/proto.
 -- Heights are for a lidar on the roof of a car, 1.7 m above the road.
 
+-- The range of the other systems: far walls are what holds the heading.
+local max_range_m = 100.0
+
 PLANAR_BUILDER = {
   height_band = {
     min_range_m = 2.5,
-    max_range_m = 60.0,
+    max_range_m = max_range_m,
     min_z_m = -1.0,
     max_z_m = 2.5,
     voxel_size_m = 0.1,
   },
   matched_points = {
-    max_range_m = 60.0,
+    max_range_m = max_range_m,
     max_voxel_size_m = 0.5,
     min_points = 2500,
   },

@@ -53,7 +53,9 @@ class CommandLineTest(ProgramTest):
 class ConfigTest(ProgramTest):
 
     def test_what_is_printed_resolves_to_itself(self):
-        for system in ("semantic_kiss.lua", "kiss_icp.lua"):
+        for system in ("semantic_kiss.lua", "semantic_kiss_loop_closure.lua", "semantic_kiss_6dof.lua",
+                       "kiss_icp.lua", "sage_icp.lua", "cartographer.lua",
+                       "cartographer_loop_closure.lua"):
             resolved = self.succeed("config", f"--config={system}")
             path = self.path("resolved.lua")
             with open(path, "w") as file:
