@@ -10,8 +10,10 @@
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
 #include "cartographer/common/stopwatch.h"
+#include "cartographer/slam/trace_insertion.h"
 #include "google/protobuf/message.h"
 #include "semantic_kiss/odometry/label_rules.h"
+#include "semantic_kiss/trace_odometry.h"
 
 namespace semantic_kiss {
 
@@ -21,6 +23,7 @@ using cartographer::slam::LocalResult;
 LocalTrajectoryBuilder::LocalTrajectoryBuilder(const proto::SemanticKissOptions& options,
                                                const cartographer::sensor::LabelSet& labels)
     : moving_labels_(labels.WithRole(cartographer::sensor::LabelRole::kMoving)),
+      odometry_options_(options.odometry()),
       odometry_(options.odometry(), labels),
       motion_filter_(options.motion_filter()),
       active_submaps_(options.submaps(), labels) {}
@@ -45,7 +48,17 @@ LocalResult LocalTrajectoryBuilder::AddScan(const cartographer::sensor::LabeledS
         cartographer::sensor::WithoutLabels(report.points_for_icp, moving_labels_));
   }
   stopwatch.Lap("submaps", &result.stage_times);
+  if (trace() != nullptr) Trace(scan.points, report, result);
   return result;
+}
+
+void LocalTrajectoryBuilder::Trace(const LabeledPointCloud& scan,
+                                   const odometry::OdometryReport& report,
+                                   const LocalResult& result) const {
+  TraceOdometry(scan, report, odometry_options_, trace());
+  cartographer::slam::TraceInsertion(
+      result, {report.points, "moving", report.points_for_icp, "icp voxels", moving_labels_},
+      result.stage_times.back().seconds, trace());
 }
 
 void LocalTrajectoryBuilder::Finish() { active_submaps_.FinishAll(); }

@@ -25,8 +25,13 @@ class LocalTrajectoryBuilder : public cartographer::slam::LocalTrajectoryBuilder
   void Finish() override;
 
  private:
+  void Trace(const cartographer::sensor::LabeledPointCloud& scan,
+             const odometry::OdometryReport& report,
+             const cartographer::slam::LocalResult& result) const;
+
   // Maps never hold what moves, whatever the odometry makes of it.
   const cartographer::sensor::LabelMask moving_labels_;
+  const odometry::proto::OdometryOptions odometry_options_;
   odometry::Odometry odometry_;
   cartographer::slam::MotionFilter motion_filter_;
   cartographer::submap::ActiveSubmaps active_submaps_;

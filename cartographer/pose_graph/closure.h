@@ -26,6 +26,12 @@ struct Closure {
   bool in_plane = false;
 };
 
+// What became of a candidate. `closure` is filled in as far as the candidate came.
+struct SearchedCandidate {
+  std::string verdict;  // a word of VerdictCounts
+  Closure closure;
+};
+
 // Candidates by what became of them: "accepted", "no_match", "no_agreement" or a word of
 // VerdictName().
 using VerdictCounts = std::map<std::string, int>;

@@ -23,12 +23,6 @@
 
 namespace cartographer::pose_graph {
 
-// What became of a candidate. `closure` is filled in as far as the candidate came.
-struct SearchedCandidate {
-  std::string verdict;  // "accepted", "no_match" or a word of VerdictName()
-  Closure closure;
-};
-
 // Looks where candidates say and judges what is found: branch and bound in the submap's grid, then,
 // as the options say, registration and verification in space.
 class ClosureSearch {

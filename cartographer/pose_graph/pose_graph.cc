@@ -30,6 +30,13 @@ void RemoveIf(Container* container, const Predicate& predicate) {
                    container->end());
 }
 
+template <typename Map, typename Predicate>
+void EraseKeysIf(Map* map, const Predicate& predicate) {
+  for (auto it = map->begin(); it != map->end();) {
+    it = predicate(it->first) ? map->erase(it) : std::next(it);
+  }
+}
+
 double Distance_m(const PlacedNode& a, const PlacedNode& b) {
   return (a.local_from_node.translation() - b.local_from_node.translation()).norm();
 }
@@ -127,6 +134,8 @@ void PoseGraph::Finish(std::vector<common::StageTime>* stage_times) {
   // place was known have a chance.
   const Nodes left = NodesWithoutClosure();
   RunRound(left, left, stage_times);
+  // Nothing comes that could still agree.
+  for (const Closure& closure : std::exchange(waiting_, {})) Reject({"no_agreement", closure});
 }
 
 PoseGraph::Nodes PoseGraph::SpacedNodes(const std::set<int>& trajectory_ids) const {
@@ -154,6 +163,8 @@ void PoseGraph::SearchTrajectories(const std::set<int>& trajectory_ids,
   RunRound(nodes, nodes, stage_times);
   const Nodes left = NodesWithoutClosure();
   RunRound(left, left, stage_times);
+  // Nothing comes that could still agree.
+  for (const Closure& closure : std::exchange(waiting_, {})) Reject({"no_agreement", closure});
 }
 
 void PoseGraph::RunRound(const Nodes& nearby, const Nodes& recognizable,
@@ -198,18 +209,24 @@ void PoseGraph::Book(const std::vector<SearchedCandidate>& results) {
     std::string& outcome = outcome_of_node_[result.closure.constraint.node_id];
     const bool accepted = result.verdict == VerdictName(Verdict::kAccepted);
     if (accepted || outcome.empty() || outcome == "no_match") outcome = result.verdict;
+    ++searches_[result.closure.constraint.node_id].num_candidates;
     if (accepted) {
       waiting_.push_back(result.closure);
     } else {
-      ++verdicts_[result.verdict];
+      Reject(result);
     }
   }
+}
+
+void PoseGraph::Reject(const SearchedCandidate& candidate) {
+  ++verdicts_[candidate.verdict];
+  NoteRejected(candidate, &searches_[candidate.closure.constraint.node_id]);
 }
 
 void PoseGraph::NoteOutcomes(const Nodes& nearby, const Nodes& recognizable) {
   std::set<NodeId> all(nearby.begin(), nearby.end());
   all.insert(recognizable.begin(), recognizable.end());
-  searched_.insert(all.begin(), all.end());
+  for (const NodeId& id : all) searches_.try_emplace(id);
   const std::set<NodeId> by_place(recognizable.begin(), recognizable.end());
   last_outcomes_.clear();
   for (const NodeId& id : all) {
@@ -244,6 +261,7 @@ void PoseGraph::Accept(const Closure& closure) {
   graph_.constraints.push_back(closure.constraint);
   closed_nodes_.insert(closure.constraint.node_id);
   ++verdicts_[std::string(VerdictName(Verdict::kAccepted))];
+  ++searches_[closure.constraint.node_id].num_accepted;
 }
 
 void PoseGraph::ForgetLonely(const Topology& topology) {
@@ -256,7 +274,7 @@ void PoseGraph::ForgetLonely(const Topology& topology) {
         driven_m - topology.DrivenTo(node_id) <= 2. * options_.agreement().max_travel_m()) {
       still_waiting.push_back(closure);
     } else {
-      ++verdicts_["no_agreement"];
+      Reject({"no_agreement", closure});
     }
   }
   waiting_ = std::move(still_waiting);
@@ -271,7 +289,7 @@ void PoseGraph::Optimize() {
 
 PoseGraph::Nodes PoseGraph::NodesWithoutClosure() const {
   Nodes node_ids;
-  for (const NodeId& id : searched_) {
+  for (const auto& [id, search] : searches_) {
     if (closed_nodes_.count(id) == 0) node_ids.push_back(id);
   }
   return node_ids;
@@ -310,12 +328,11 @@ void PoseGraph::Prune() {
   RemoveIf(&waiting_, dangles);
   RemoveIf(&closures_, dangles);
   RemoveIf(&to_search_, gone);
-  for (auto* nodes : {&searched_, &closed_nodes_}) {
-    for (auto it = nodes->begin(); it != nodes->end();) it = gone(*it) ? nodes->erase(it) : ++it;
+  for (auto it = closed_nodes_.begin(); it != closed_nodes_.end();) {
+    it = gone(*it) ? closed_nodes_.erase(it) : std::next(it);
   }
-  for (auto it = to_recognize_.begin(); it != to_recognize_.end();) {
-    it = gone(it->first) ? to_recognize_.erase(it) : std::next(it);
-  }
+  EraseKeysIf(&searches_, gone);
+  EraseKeysIf(&to_recognize_, gone);
   finder_.Forget(graph_);
 }
 

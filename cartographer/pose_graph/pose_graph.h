@@ -17,6 +17,7 @@
 #include "cartographer/pose_graph/closure.h"
 #include "cartographer/pose_graph/closure_search.h"
 #include "cartographer/pose_graph/graph.h"
+#include "cartographer/pose_graph/node_search.h"
 #include "cartographer/pose_graph/proto/pose_graph_options.pb.h"
 #include "cartographer/pose_graph/topology.h"
 #include "cartographer/sensor/label_set.h"
@@ -86,6 +87,9 @@ class PoseGraph {
   // Accepted ones, in the order in which they were.
   const std::vector<Closure>& closures() const { return closures_; }
   const VerdictCounts& verdicts() const { return verdicts_; }
+  // All nodes that were looked for, with what came of it in all rounds: an entry each, however many
+  // candidates there were.
+  const std::map<submap::NodeId, NodeSearch>& searches() const { return searches_; }
   // Those of the last round; empty if none was run by the last AddNode().
   const std::vector<NodeOutcome>& last_outcomes() const { return last_outcomes_; }
 
@@ -114,6 +118,7 @@ class PoseGraph {
   bool AcceptAgreed(const Topology& topology);
   void Accept(const Closure& closure);
   void ForgetLonely(const Topology& topology);
+  void Reject(const SearchedCandidate& candidate);
   void Optimize();
   // Forgets what is about nodes or submaps that are not in the graph.
   void Prune();
@@ -131,7 +136,7 @@ class PoseGraph {
   int not_recognized_ = 0;                                   // in a row
   Nodes to_search_;                                          // since the last round
   std::map<submap::NodeId, submap::SubmapId> to_recognize_;  // with their oldest submaps
-  std::set<submap::NodeId> searched_;                        // all
+  std::map<submap::NodeId, NodeSearch> searches_;            // all
   std::set<submap::NodeId> closed_nodes_;
 
   std::vector<Closure> waiting_;  // verified, but nothing near them agrees yet

@@ -20,14 +20,24 @@ using transform::Rigid3d;
 // negligible. The value decides the order of the sums, hence the last bits of the result.
 constexpr size_t kPointsPerChunk = 256;
 
+struct PairSums {
+  NormalEquations equations;
+  int num_agreeing = 0;
+
+  void Add(const PairSums& other) {
+    equations.Add(other.equations);
+    num_agreeing += other.num_agreeing;
+  }
+};
+
 // Pairs the points of [begin, end) with the map and sums their equations, about the position of
 // the source's frame.
-NormalEquations SumPairs(const sensor::LabeledPointCloud& source, size_t begin, size_t end,
-                         const Rigid3d& map_from_source, double kernel_scale,
-                         const proto::IcpOptions& options, CorrespondenceSearch* search) {
+PairSums SumPairs(const sensor::LabeledPointCloud& source, size_t begin, size_t end,
+                  const Rigid3d& map_from_source, double kernel_scale,
+                  const proto::IcpOptions& options, CorrespondenceSearch* search) {
   const Eigen::Matrix3d rotation = map_from_source.rotation().toRotationMatrix();
   const Eigen::Vector3d& origin = map_from_source.translation();
-  NormalEquations equations;
+  PairSums sums;
   for (size_t i = begin; i < end; ++i) {
     const Eigen::Vector3d arm = rotation * source.positions[i].cast<double>();
     const auto neighbor = search->Find(i, arm + origin, source.labels[i]);
@@ -38,16 +48,18 @@ NormalEquations SumPairs(const sensor::LabeledPointCloud& source, size_t begin, 
       weight *= CertaintyWeight(source.labels[i], source.certainties[i], neighbor->label,
                                 options.unlabeled_weight());
     }
-    equations.AddPair(arm, target, weight);
+    sums.equations.AddPair(arm, target, weight);
+    const bool agree = source.labels[i] == neighbor->label && neighbor->label != sensor::kUnlabeled;
+    sums.num_agreeing += agree ? 1 : 0;
   }
-  return equations;
+  return sums;
 }
 
-NormalEquations SumAllPairs(const sensor::LabeledPointCloud& source, const Rigid3d& map_from_source,
-                            double kernel_scale, const proto::IcpOptions& options,
-                            CorrespondenceSearch* search) {
-  NormalEquations sum;
-  for (const NormalEquations& part : common::ParallelMapChunks<NormalEquations>(
+PairSums SumAllPairs(const sensor::LabeledPointCloud& source, const Rigid3d& map_from_source,
+                     double kernel_scale, const proto::IcpOptions& options,
+                     CorrespondenceSearch* search) {
+  PairSums sum;
+  for (const PairSums& part : common::ParallelMapChunks<PairSums>(
            source.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
              return SumPairs(source, begin, end, map_from_source, kernel_scale, options, search);
            })) {
@@ -104,9 +116,11 @@ IcpReport AlignCloud(const sensor::LabeledPointCloud& source, const LabeledVoxel
 
   CorrespondenceSearch search(map, scale.gate_m, options.agreeing_distance_factor(), source.size());
   while (report.iterations < options.max_iterations()) {
-    const NormalEquations equations =
+    const PairSums sums =
         SumAllPairs(source, report.map_from_source, scale.kernel_scale, options, &search);
+    const NormalEquations& equations = sums.equations;
     ++report.iterations;
+    report.num_agreeing = sums.num_agreeing;
     report.num_correspondences = equations.num_pairs();
     report.inlier_ratio = static_cast<double>(equations.num_pairs()) / source.size();
     report.rms_error_m = equations.RootMeanSquareError();
@@ -118,7 +132,8 @@ IcpReport AlignCloud(const sensor::LabeledPointCloud& source, const LabeledVoxel
     }
     const transform::Twist step = equations.Solve();
     report.map_from_source = StepAboutOrigin(step, report.map_from_source);
-    if (step.norm() < options.convergence_threshold()) {
+    report.last_step = step.norm();
+    if (report.last_step < options.convergence_threshold()) {
       report.outcome = IcpOutcome::kConverged;
       return report;
     }

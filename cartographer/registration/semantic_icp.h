@@ -38,6 +38,8 @@ struct IcpReport {
   int num_correspondences = 0;
   double inlier_ratio = 0.;  // pairs / source points
   double rms_error_m = 0.;   // of the pairs
+  int num_agreeing = 0;      // pairs whose labels are known and equal
+  double last_step = 0.;     // what is compared with the convergence threshold
 
   bool HasEstimate() const {
     return outcome == IcpOutcome::kConverged || outcome == IcpOutcome::kIterationLimit;

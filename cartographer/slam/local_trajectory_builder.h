@@ -12,6 +12,7 @@
 
 #include "cartographer/common/stopwatch.h"
 #include "cartographer/sensor/labeled_point_cloud.h"
+#include "cartographer/slam/scan_trace.h"
 #include "cartographer/submap/submap.h"
 #include "cartographer/transform/rigid_transform.h"
 
@@ -52,6 +53,16 @@ class LocalTrajectoryBuilder {
 
   // Ends the drive: finishes the submaps that still grow. No AddScan() may follow.
   virtual void Finish() = 0;
+
+  // The way of the scans to come is appended to `trace`, which must outlive them; nullptr, as in
+  // the beginning: of none. Results do not depend on it.
+  void TraceTo(ScanTrace* trace) { trace_ = trace; }
+
+ protected:
+  ScanTrace* trace() const { return trace_; }
+
+ private:
+  ScanTrace* trace_ = nullptr;
 };
 
 }  // namespace cartographer::slam

@@ -3,8 +3,10 @@
 
 #include "cartographer/slam/map_builder.h"
 
+#include <string>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "cartographer/slam/graph_of_map.h"
 #include "glog/logging.h"
 
@@ -35,9 +37,33 @@ LocalResult MapBuilder::AddScan(const sensor::LabeledScan& scan) {
 
 void MapBuilder::AddNode(LocalResult* result) {
   const submap::NodeId node_id{trajectory_id_, num_nodes_++};
+  std::vector<common::StageTime> graph_times;
   pose_graph_->AddNode(node_id,
                        {result->time, {}, result->local_from_sensor, result->insertion->cloud},
-                       result->insertion->submaps, &result->stage_times);
+                       result->insertion->submaps, &graph_times);
+  if (trace_ != nullptr) TraceNode(node_id, graph_times);
+  result->stage_times.insert(result->stage_times.end(), graph_times.begin(), graph_times.end());
+}
+
+void MapBuilder::TraceTo(ScanTrace* trace) {
+  trace_ = trace;
+  local_trajectory_builder_->TraceTo(trace);
+}
+
+void MapBuilder::TraceNode(const submap::NodeId& node_id,
+                           const std::vector<common::StageTime>& graph_times) const {
+  const pose_graph::Graph& graph = pose_graph_->graph();
+  std::string text = PoseText(graph.nodes.at(node_id).map_from_node);
+  double seconds = 0.;
+  for (const common::StageTime& time : graph_times) seconds += time.seconds;
+  if (!graph_times.empty()) {
+    absl::StrAppend(&text, "; a round of the search for closures fell due, over ",
+                    pose_graph_->last_outcomes().size(), " nodes");
+  }
+  TraceStep step{"pose graph", "map",
+                 absl::StrCat("node ", node_id.node_index, " of trajectory ", node_id.trajectory_id,
+                              " at ", text)};
+  trace_->push_back(step.Took(seconds));
 }
 
 map::Map MapBuilder::Finish(std::vector<common::StageTime>* stage_times) {

@@ -4,6 +4,7 @@
 #ifndef CARTOGRAPHER_SLAM_MAP_BUILDER_H_
 #define CARTOGRAPHER_SLAM_MAP_BUILDER_H_
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,10 @@ class MapBuilder {
   // Scans must come with increasing time (CHECKed). The first scan must become a node (CHECKed).
   LocalResult AddScan(const sensor::LabeledScan& scan);
 
+  // The way of the scans to come is appended to `trace` (local_trajectory_builder.h), with the pose
+  // graph's part as far as it is known at once.
+  void TraceTo(ScanTrace* trace);
+
   // Ends the drive and hands out the map, whose configuration and history are left to the caller.
   // What the last loop closures took is appended to `stage_times`. No other call may follow but
   // those of the const members.
@@ -53,14 +58,20 @@ class MapBuilder {
   // What the pose graph found so far.
   const std::vector<pose_graph::Closure>& closures() const { return pose_graph_->closures(); }
   const pose_graph::VerdictCounts& closure_verdicts() const { return pose_graph_->verdicts(); }
+  const std::map<submap::NodeId, pose_graph::NodeSearch>& closure_searches() const {
+    return pose_graph_->searches();
+  }
 
  private:
   void AddNode(LocalResult* result);
+  void TraceNode(const submap::NodeId& node_id,
+                 const std::vector<common::StageTime>& graph_times) const;
 
   const std::unique_ptr<LocalTrajectoryBuilder> local_trajectory_builder_;
   const std::unique_ptr<pose_graph::PoseGraph> pose_graph_;
   const sensor::LabelSet labels_;
   const int trajectory_id_;
+  ScanTrace* trace_ = nullptr;
   bool tied_ = false;
   int num_nodes_ = 0;
   std::vector<ScanPose> scan_poses_;

@@ -13,6 +13,7 @@
 #include "cartographer/scan_matching/correlative_search.h"
 #include "cartographer/scan_matching/fit_to_grid.h"
 #include "cartographer/slam/height_band.h"
+#include "cartographer/slam/trace_insertion.h"
 #include "google/protobuf/message.h"
 
 namespace cartographer::slam {
@@ -68,7 +69,25 @@ LocalResult PlanarLocalTrajectoryBuilder::AddScan(const sensor::LabeledScan& sca
     Insert(band, matched_points, &result);
   }
   stopwatch.Lap("submaps", &result.stage_times);
+  if (trace() != nullptr) Trace(scan.points, band, matched_points, result);
   return result;
+}
+
+void PlanarLocalTrajectoryBuilder::Trace(const LabeledPointCloud& scan,
+                                         const LabeledPointCloud& band,
+                                         const LabeledPointCloud& matched_points,
+                                         const LocalResult& result) const {
+  TraceStep cut{"height band", "sensor", "what lies between two heights"};
+  cut.Takes(kReadingStep, scan.size()).Gives(band);
+  trace()->push_back(cut.Took(result.stage_times[0].seconds));
+  TraceStep thinned{"matched points", "sensor", "near ones, thinned out"};
+  trace()->push_back(thinned.Takes("height band", band.size()).Gives(matched_points));
+  TraceStep matching{"matching", "local",
+                     absl::StrCat(result.outcome, ": ", PoseText(result.local_from_sensor))};
+  matching.Takes("matched points", matched_points.size());
+  trace()->push_back(matching.Took(result.stage_times[1].seconds));
+  TraceInsertion(result, {band, "height band", matched_points, "matched points", moving_labels_},
+                 result.stage_times[2].seconds, trace());
 }
 
 void PlanarLocalTrajectoryBuilder::Match(const LabeledPointCloud& matched_points,

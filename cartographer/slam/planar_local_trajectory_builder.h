@@ -33,6 +33,8 @@ class PlanarLocalTrajectoryBuilder : public LocalTrajectoryBuilder {
   void Finish() override;
 
  private:
+  void Trace(const sensor::LabeledPointCloud& scan, const sensor::LabeledPointCloud& band,
+             const sensor::LabeledPointCloud& matched_points, const LocalResult& result) const;
   // Places `result`, and says how.
   void Match(const sensor::LabeledPointCloud& matched_points, LocalResult* result) const;
   void Insert(const sensor::LabeledPointCloud& band,

@@ -40,19 +40,28 @@ void Book(const LocalResult& result, DriveRecord* record) {
 }  // namespace
 
 absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_builder,
-                                  ProgressReporter* progress) {
+                                  const DriveWatch& watch) {
   DriveRecord record;
   cartographer::common::Stopwatch whole;
   for (int i = 0; i < scans->size() && !StopRequested(); ++i) {
     cartographer::common::Stopwatch reading;
     ASSIGN_OR_RETURN(const cartographer::sensor::LabeledScan scan, scans->Read(i));
-    record.stage_times.Add("reading", reading.Lap());
+    const double reading_s = reading.Lap();
+    record.stage_times.Add("reading", reading_s);
     record.num_points += static_cast<int64_t>(scan.points.size());
-    Book(map_builder->AddScan(scan), &record);
-    progress->Update(record.num_scans, CurrentError(*scans, *map_builder));
+    if (i == 0) {
+      RETURN_IF_ERROR(CheckScansToTrace(watch.scans_to_trace, scan.index, scans->size()));
+    }
+    if (watch.scans_to_trace.count(scan.index) == 0) {
+      Book(map_builder->AddScan(scan), &record);
+    } else {
+      record.traces.emplace_back();
+      Book(AddTraced(scan, reading_s, map_builder, &record.traces.back()), &record);
+    }
+    watch.progress->Update(record.num_scans, CurrentError(*scans, *map_builder));
   }
   record.elapsed_s = whole.Lap();
-  progress->Finish();
+  watch.progress->Finish();
   return record;
 }
 

@@ -6,12 +6,15 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "cartographer/slam/map_builder.h"
 #include "semantic_kiss/cli/progress.h"
 #include "semantic_kiss/cli/stage_times.h"
+#include "semantic_kiss/cli/traced_scan.h"
 #include "semantic_kiss/dataset/scan_source.h"
 
 namespace semantic_kiss::cli {
@@ -23,13 +26,21 @@ struct DriveRecord {
   int64_t num_points = 0;
   double elapsed_s = 0.;
   StageTimes stage_times;
+  std::vector<TracedScan> traces;
+};
+
+// Who looks on while the drive goes on; none of it has an influence on the results.
+struct DriveWatch {
+  ProgressReporter* progress = nullptr;  // never null
+  std::set<int> scans_to_trace;          // by their numbers in the sequence
 };
 
 // Feeds the scans to the map builder, one after the other, to the last one or until
-// StopRequested(). Fails if a scan cannot be read.
+// StopRequested(). Fails if a scan cannot be read, or if one that is to be traced is not among
+// them.
 absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans,
                                   cartographer::slam::MapBuilder* map_builder,
-                                  ProgressReporter* progress);
+                                  const DriveWatch& watch);
 
 }  // namespace semantic_kiss::cli
 

@@ -74,6 +74,9 @@ DEFINE_string(sequence, "00", "Sequence of the data set.");
 DEFINE_string(show, "", "The only labels that are used, separated by commas: building,fence.");
 DEFINE_int32(threads, 0, "Number of threads; results do not depend on it.");
 DEFINE_double(speed_factor, 1., "Drive at so many times the speed of the town's planned drive.");
+DEFINE_string(trace_scan, "",
+              "Scans whose way through every stage is told, by their numbers, separated by commas: "
+              "frames, points in and out, labels, time, outcome.");
 DEFINE_string(trajectory, "", "Trajectories, by their numbers, separated by commas.");
 
 namespace semantic_kiss::cli {
@@ -121,6 +124,7 @@ const std::vector<FlagInfo>& Flags() {
       {"trajectory", "NUMBERS", G::kSelection, V::kText, "all"},
       {"keep_trajectory", "NUMBERS", G::kSelection, V::kText},
       {"output", "PATH", G::kOutput, V::kFile},
+      {"trace_scan", "NUMBERS", G::kOutput, V::kText, "none"},
       {"raw", "", G::kOutput, V::kNone},
       {"preview", "FILE", G::kOutput, V::kFile},
       {"preview_scan", "N", G::kOutput, V::kNumber, "the town from above", 0.},

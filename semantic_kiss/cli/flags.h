@@ -56,6 +56,7 @@ DECLARE_string(sequence);
 DECLARE_string(show);
 DECLARE_int32(threads);
 DECLARE_double(speed_factor);
+DECLARE_string(trace_scan);
 DECLARE_string(trajectory);
 
 namespace semantic_kiss::cli {

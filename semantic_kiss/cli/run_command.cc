@@ -5,6 +5,7 @@
 
 #include <iostream>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -25,6 +26,7 @@
 #include "semantic_kiss/cli/run_summary.h"
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/cli/terminal.h"
+#include "semantic_kiss/cli/trace_text.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -81,7 +83,16 @@ absl::Status Stopped(const DriveRecord& drive, const dataset::ScanSource& scans)
                    : absl::StrCat("trajectory and map of these are whole in ", FLAGS_output)));
 }
 
+void Tell(const RunResult& result, const OutputDirectory& directory) {
+  const Terminal terminal = Terminal::Of(STDOUT_FILENO);
+  for (const TracedScan& traced : result.drive.traces) {
+    std::cout << TraceText(traced, result.map.labels, terminal);
+  }
+  std::cout << RunSummary(result, directory.path(), terminal);
+}
+
 absl::Status RunRun() {
+  ASSIGN_OR_RETURN(const std::set<int> scans_to_trace, ScansToTrace(FLAGS_trace_scan));
   ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
   ASSIGN_OR_RETURN(const auto scans, OpenScans(configuration));
   ASSIGN_OR_RETURN(const auto earlier, LoadEarlierMap(configuration));
@@ -90,7 +101,8 @@ absl::Status RunRun() {
 
   StopInGoodOrder();
   ProgressReporter progress = MakeProgressReporter(scans->size());
-  ASSIGN_OR_RETURN(DriveRecord drive, Drive(scans.get(), map_builder.get(), &progress));
+  ASSIGN_OR_RETURN(DriveRecord drive,
+                   Drive(scans.get(), map_builder.get(), {&progress, scans_to_trace}));
   if (drive.num_scans == 0) return Stopped(drive, *scans);
 
   ASSIGN_OR_RETURN(RunResult result,
@@ -100,9 +112,7 @@ absl::Status RunRun() {
     Continue(*earlier, map_builder->trajectory_id(), &result.map);
   }
   RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options, &result));
-  if (!FLAGS_quiet) {
-    std::cout << RunSummary(result, directory.path(), Terminal::Of(STDOUT_FILENO));
-  }
+  if (!FLAGS_quiet) Tell(result, directory);
   const bool complete = result.drive.num_scans == result.scans_available;
   return complete ? absl::OkStatus() : Stopped(result.drive, *scans);
 }
@@ -124,7 +134,8 @@ Command RunCommand() {
       "files as they were.";
   command.flags = {{"config"},    {"dataset", true}, {"sequence"},     {"labels_dir"},
                    {"map"},       {"freeze_map"},    {"ground_truth"}, {"first_scan"},
-                   {"num_scans"}, {"output", true},  {"threads"},      {"quiet"}};
+                   {"num_scans"}, {"trace_scan"},    {"output", true}, {"threads"},
+                   {"quiet"}};
   command.files = {
       {"odometry_kitti.txt",
        "Poses as the odometry saw the drive, 12 numbers a line; of the camera "
@@ -142,6 +153,8 @@ Command RunCommand() {
       {"Another drive through a map that is there, joined to it",
        "run --config=semantic_kiss_6dof.lua --map=map.pbstream --dataset=data --sequence=01 "
        "--output=output/both"},
+      {"What every stage makes of two of the scans",
+       "run --dataset=kitti/dataset --trace_scan=120,450 --output=output/00"},
       {"The baseline without labels",
        "run --config=kiss_icp.lua --dataset=kitti/dataset --output=output/kiss_icp"}};
   command.run = &RunRun;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "semantic_kiss/cli/peak_memory.h"
+#include "semantic_kiss/cli/trace_text.h"
 #include "semantic_kiss/cli/version.h"
 
 namespace semantic_kiss::cli {
@@ -50,6 +51,10 @@ Json RunJson(const RunResult& result) {
                                                          : evaluation::Metrics());
   json["last_pose"] = result.evaluation ? LastPose(result.evaluation->final_error) : Json();
   json["notes"] = result.notes;
+  json["traces"] = Json::array();
+  for (const TracedScan& traced : drive.traces) {
+    json["traces"].push_back(TraceJson(traced, result.map.labels));
+  }
   return json;
 }
 

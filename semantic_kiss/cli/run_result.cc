@@ -74,6 +74,7 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
     result.times.push_back(scan.time);
     result.local_from_lidar.push_back(scan.local_from_sensor);
   }
+  for (TracedScan& traced : result.drive.traces) CompleteTrace(*map_builder, result.map, &traced);
   result.map_from_lidar = cartographer::slam::PlaceScans(result.map, map_builder->scan_poses());
   result.odometry = AsInFiles(result.local_from_lidar, scans.camera_from_sensor());
   result.trajectory = AsInFiles(result.map_from_lidar, scans.camera_from_sensor());

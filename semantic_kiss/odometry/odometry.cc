@@ -61,8 +61,9 @@ Odometry::Odometry(const proto::OdometryOptions& options, const LabelSet& labels
 OdometryReport Odometry::AddScan(const cartographer::sensor::LabeledPointCloud& scan) {
   OdometryReport report;
   cartographer::common::Stopwatch stopwatch;
+  report.motion = motion_.Motion();
   PreprocessedScan preprocessed =
-      Preprocess(scan, motion_.Motion(), rules_.dropped, options_.preprocessing());
+      Preprocess(scan, report.motion, rules_.dropped, options_.preprocessing());
   report.points = std::move(preprocessed.points);
   report.counts = preprocessed.counts;
   report.deskewed = preprocessed.deskewed;
@@ -75,7 +76,7 @@ OdometryReport Odometry::AddScan(const cartographer::sensor::LabeledPointCloud& 
   motion_.Observe(report.local_from_sensor);
   stopwatch.Lap("registration", &report.stage_times);
 
-  UpdateLocalMap(report);
+  UpdateLocalMap(&report);
   stopwatch.Lap("local_map", &report.stage_times);
   return report;
 }
@@ -90,14 +91,16 @@ void Odometry::SubsampleScan(OdometryReport* report) const {
 void Odometry::Register(OdometryReport* report) {
   using Placement = OdometryReport::Placement;
   const auto local_from_guess = motion_.Predict();
+  report->local_from_guess = local_from_guess;
   report->local_from_sensor = local_from_guess;
   report->sigma_m = threshold_.Sigma();
+  report->gate_m = threshold_.Gate();
   if (local_map_.Empty()) {
     report->placement = Placement::kFirst;
     return;
   }
   report->icp = AlignCloud(report->points_for_icp, local_map_, local_from_guess,
-                           {threshold_.Gate(), threshold_.KernelScale()}, options_.icp());
+                           {report->gate_m, threshold_.KernelScale()}, options_.icp());
   if (report->icp.HasEstimate()) {
     report->placement = Placement::kRegistered;
     report->local_from_sensor = report->icp.map_from_source;
@@ -110,12 +113,17 @@ void Odometry::Register(OdometryReport* report) {
   }
 }
 
-void Odometry::UpdateLocalMap(const OdometryReport& report) {
-  if (report.placement == OdometryReport::Placement::kPredicted) return;
-  if (report.placement == OdometryReport::Placement::kRestarted) local_map_.Clear();
-  local_map_.Insert(report.points_for_map, report.local_from_sensor);
-  local_map_.RemoveFarFrom(report.local_from_sensor.translation(),
+void Odometry::UpdateLocalMap(OdometryReport* report) {
+  report->map_points = local_map_.num_points();
+  if (report->placement == OdometryReport::Placement::kPredicted) return;
+  if (report->placement == OdometryReport::Placement::kRestarted) local_map_.Clear();
+  const size_t before = local_map_.num_points();
+  local_map_.Insert(report->points_for_map, report->local_from_sensor);
+  report->map_points_added = local_map_.num_points() - before;
+  local_map_.RemoveFarFrom(report->local_from_sensor.translation(),
                            options_.preprocessing().max_range_m());
+  report->map_points = local_map_.num_points();
+  report->map_points_dropped = before + report->map_points_added - report->map_points;
 }
 
 }  // namespace semantic_kiss::odometry

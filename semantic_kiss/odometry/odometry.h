@@ -35,14 +35,25 @@ struct OdometryReport {
   };
   Placement placement = Placement::kPredicted;
   cartographer::registration::IcpReport icp;  // default-constructed for kFirst
-  double sigma_m = 0.;                        // of the adaptive threshold, as used
+  // What ICP began with: the predicted pose, and the adaptive threshold's sigma and largest
+  // distance of a pair.
+  cartographer::transform::Rigid3d local_from_guess;
+  double sigma_m = 0.;
+  double gate_m = 0.;
 
   PreprocessingCounts counts;
+  cartographer::transform::Twist motion = cartographer::transform::Twist::Zero();  // deskewed by it
   bool deskewed = false;
   // Clouds in the sensor's frame: all usable points, and the sub-samplings of it.
   cartographer::sensor::LabeledPointCloud points;
   cartographer::sensor::LabeledPointCloud points_for_map;
   cartographer::sensor::LabeledPointCloud points_for_icp;
+
+  // Points of the local map: those that the scan added, those that were dropped as far away, and
+  // those that are there now.
+  size_t map_points_added = 0;
+  size_t map_points_dropped = 0;
+  size_t map_points = 0;
 
   // "preprocessing", "subsampling", "registration", "local_map".
   std::vector<cartographer::common::StageTime> stage_times;
@@ -67,7 +78,7 @@ class Odometry {
  private:
   void SubsampleScan(OdometryReport* report) const;
   void Register(OdometryReport* report);
-  void UpdateLocalMap(const OdometryReport& report);
+  void UpdateLocalMap(OdometryReport* report);
 
   const proto::OdometryOptions options_;
   const LabelRules rules_;

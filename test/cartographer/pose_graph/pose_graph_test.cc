@@ -132,6 +132,27 @@ TEST(PoseGraphTest, WithoutAgreementNothingIsClosed) {
   EXPECT_GT(RevisitError(*graph).translation().norm(), 1.9);
 }
 
+TEST(PoseGraphTest, RemembersWhatCameOfEverySearch) {
+  for (const char* changes : {"", "POSE_GRAPH.agreement.min_agreeing = 100"}) {
+    const auto graph = Drive(Options(changes));
+    int candidates = 0, accepted = 0, verdicts = 0;
+    for (const auto& [id, search] : graph->searches()) {
+      EXPECT_EQ(graph->graph().nodes.count(id), 1u);
+      EXPECT_LE(search.num_accepted, search.num_candidates);
+      candidates += search.num_candidates;
+      accepted += search.num_accepted;
+      if (search.best_rejected.has_value()) {
+        EXPECT_EQ(search.best_rejected->closure.constraint.node_id, id);
+        EXPECT_GT(graph->verdicts().at(search.best_rejected->verdict), 0);
+      }
+    }
+    for (const auto& [verdict, count] : graph->verdicts()) verdicts += count;
+    EXPECT_GT(candidates, 0);
+    EXPECT_EQ(candidates, verdicts);
+    EXPECT_EQ(accepted, graph->closures().size());
+  }
+}
+
 TEST(PoseGraphTest, ThreadsChangeNothing) {
   std::vector<std::unique_ptr<PoseGraph>> graphs;
   for (const int threads : {1, 8}) {

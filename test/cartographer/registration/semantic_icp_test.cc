@@ -105,6 +105,8 @@ TEST(SemanticIcpTest, FirstStepSolvesTheHandBuiltEquations) {
   const IcpReport report = AlignCloud(source, MapOf(map_cloud), Rigid3d(), {1., sigma}, options);
   EXPECT_EQ(report.outcome, IcpOutcome::kIterationLimit);
   EXPECT_EQ(report.num_correspondences, 4);
+  EXPECT_EQ(report.num_agreeing, 2);
+  EXPECT_NEAR(report.last_step, expected.Solve().norm(), 1e-6);
   const Rigid3d step = Exp(expected.Solve());
   EXPECT_LT((report.map_from_source.Matrix() - step.Matrix()).norm(), 1e-6);
 }

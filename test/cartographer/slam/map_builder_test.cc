@@ -97,6 +97,22 @@ TEST(MapBuilderTest, ScansBetweenNodesFollowTheirNode) {
   EXPECT_LT((poses[3].translation() - Eigen::Vector3d(3., 10., 0.)).norm(), 1e-12);
 }
 
+TEST(MapBuilderTest, TracesTheScansThatItIsToldTo) {
+  MapBuilder builder = ScriptedMapBuilder();
+  ScanTrace trace;
+  builder.AddScan(Scan(0));
+  builder.TraceTo(&trace);
+  builder.AddScan(Scan(1));  // no node: nothing for the pose graph
+  EXPECT_TRUE(trace.empty());
+  builder.AddScan(Scan(2));
+  ASSERT_EQ(trace.size(), 1u);
+  EXPECT_EQ(trace[0].stage, "pose graph");
+  EXPECT_EQ(trace[0].outcome, "node 1 of trajectory 0 at x 2.00, y 0.00, z 0.00 m, yaw 0.0 deg");
+  builder.TraceTo(nullptr);
+  builder.AddScan(Scan(4));
+  EXPECT_EQ(trace.size(), 1u);
+}
+
 TEST(MapBuilderDeathTest, TimeMustNotStandStill) {
   MapBuilder builder = ScriptedMapBuilder();
   builder.AddScan(Scan(0));
