@@ -30,6 +30,7 @@ FLOORS = [
     ["semantic_kiss/dataset"],
     ["semantic_kiss/evaluation", "semantic_kiss/simulation"],
     ["semantic_kiss/report"],
+    ["semantic_kiss/live"],
     ["semantic_kiss/cli"],
 ]
 
@@ -48,7 +49,7 @@ APART = [
      ["cartographer/submap", "cartographer/scan_matching", "cartographer/map",
       "cartographer/pose_graph", "cartographer/io", "cartographer/slam", "semantic_kiss/dataset",
       "semantic_kiss/evaluation", "semantic_kiss/simulation", "semantic_kiss/report",
-      "semantic_kiss/cli"]),
+      "semantic_kiss/live", "semantic_kiss/cli"]),
 ]
 
 PLUGIN = "semantic_kiss/local_trajectory_builder"

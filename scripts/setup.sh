@@ -20,6 +20,7 @@ packages=(
   libbenchmark-dev
   libcairo2-dev
   libceres-dev
+  libcpp-httplib-dev
   libdeflate-dev
   libeigen3-dev
   libgflags-dev

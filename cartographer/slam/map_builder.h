@@ -55,6 +55,9 @@ class MapBuilder {
   // One entry for each scan so far.
   const std::vector<ScanPose>& scan_poses() const { return scan_poses_; }
 
+  // Nodes and submaps as they are placed at the moment; empty after Finish().
+  const pose_graph::Graph& graph() const { return pose_graph_->graph(); }
+
   // What the pose graph found so far.
   const std::vector<pose_graph::Closure>& closures() const { return pose_graph_->closures(); }
   const pose_graph::VerdictCounts& closure_verdicts() const { return pose_graph_->verdicts(); }

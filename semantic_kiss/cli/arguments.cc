@@ -107,10 +107,12 @@ absl::Status ParseFlags(const Command& command, const std::vector<std::string>& 
   for (size_t i = 1; i < arguments.size(); ++i) {
     ASSIGN_OR_RETURN(FlagArgument flag, SplitArgument(command, arguments[i]));
     if (!flag.value.has_value() && IsBoolean(flag.name)) flag.value = "true";
+    const FlagInfo& info = FlagNamed(flag.name);
+    if (!flag.value.has_value() && !info.bare_value.empty()) flag.value = info.bare_value;
     if (!flag.value.has_value()) {
       if (i + 1 == arguments.size() || absl::StartsWith(arguments[i + 1], "--")) {
         return UsageError(absl::StrCat("--", flag.name, " needs a value, --", flag.name, "=",
-                                       FlagNamed(flag.name).value_name),
+                                       info.value_name),
                           command);
       }
       flag.value = arguments[++i];

@@ -3,10 +3,13 @@
 
 #include "semantic_kiss/cli/drive.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "cartographer/common/status.h"
 #include "cartographer/common/stopwatch.h"
+#include "semantic_kiss/cli/live_snapshot.h"
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/evaluation/final_error.h"
 
@@ -43,6 +46,7 @@ absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_bu
                                   const DriveWatch& watch) {
   DriveRecord record;
   cartographer::common::Stopwatch whole;
+  const double begin_s = SteadySeconds();
   for (int i = 0; i < scans->size() && !StopRequested(); ++i) {
     cartographer::common::Stopwatch reading;
     ASSIGN_OR_RETURN(const cartographer::sensor::LabeledScan scan, scans->Read(i));
@@ -58,7 +62,15 @@ absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_bu
       record.traces.emplace_back();
       Book(AddTraced(scan, reading_s, map_builder, &record.traces.back()), &record);
     }
-    watch.progress->Update(record.num_scans, CurrentError(*scans, *map_builder));
+    const std::optional<double> error_m = CurrentError(*scans, *map_builder);
+    watch.progress->Update(record.num_scans, error_m);
+    if (watch.board != nullptr && watch.board->Wanted()) {
+      auto snapshot = std::make_shared<live::Snapshot>(TakeSnapshot(record, *map_builder));
+      snapshot->total = scans->size();
+      snapshot->elapsed_s = SteadySeconds() - begin_s;
+      snapshot->error_m = error_m;
+      watch.board->Put(std::move(snapshot));
+    }
   }
   record.elapsed_s = whole.Lap();
   watch.progress->Finish();

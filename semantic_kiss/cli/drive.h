@@ -16,6 +16,7 @@
 #include "semantic_kiss/cli/stage_times.h"
 #include "semantic_kiss/cli/traced_scan.h"
 #include "semantic_kiss/dataset/scan_source.h"
+#include "semantic_kiss/live/board.h"
 
 namespace semantic_kiss::cli {
 
@@ -33,6 +34,7 @@ struct DriveRecord {
 struct DriveWatch {
   ProgressReporter* progress = nullptr;  // never null
   std::set<int> scans_to_trace;          // by their numbers in the sequence
+  live::Board* board = nullptr;          // of a page; null: there is none
 };
 
 // Feeds the scans to the map builder, one after the other, to the last one or until

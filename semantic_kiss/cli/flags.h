@@ -32,6 +32,7 @@ DECLARE_string(labels_dir);
 DECLARE_double(lane_offset);
 DECLARE_double(length);
 DECLARE_string(lidar);
+DECLARE_string(live);
 DECLARE_string(map);
 DECLARE_string(map_ground_truth);
 DECLARE_int32(min_hits);
@@ -77,6 +78,8 @@ struct FlagInfo {
   std::string default_text{};
   // Smallest number that the flag may be.
   double at_least = -std::numeric_limits<double>::infinity();
+  // What the flag stands for where it is given without a value; empty: it needs one.
+  std::string bare_value{};
 };
 
 // All flags, in the order in which help lists them within a group.

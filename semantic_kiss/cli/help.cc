@@ -45,6 +45,7 @@ const char* Heading(FlagGroup group) {
 }
 
 std::string FlagTerm(const FlagInfo& flag) {
+  if (!flag.bare_value.empty()) return absl::StrCat("--", flag.name, "[=", flag.value_name, "]");
   return flag.value_name.empty() ? absl::StrCat("--", flag.name)
                                  : absl::StrCat("--", flag.name, "=", flag.value_name);
 }

@@ -18,6 +18,7 @@
 #include "semantic_kiss/cli/drive.h"
 #include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
+#include "semantic_kiss/cli/live_run.h"
 #include "semantic_kiss/cli/loaded_map.h"
 #include "semantic_kiss/cli/output_directory.h"
 #include "semantic_kiss/cli/progress.h"
@@ -99,10 +100,13 @@ absl::Status RunRun() {
   ASSIGN_OR_RETURN(const auto map_builder, MakeMapBuilder(configuration, earlier.get()));
   ASSIGN_OR_RETURN(const OutputDirectory directory, OutputDirectory::Create(FLAGS_output));
 
+  ASSIGN_OR_RETURN(const auto live, LiveRun::Start(FLAGS_live, configuration.labels, directory));
   StopInGoodOrder();
   ProgressReporter progress = MakeProgressReporter(scans->size());
-  ASSIGN_OR_RETURN(DriveRecord drive,
-                   Drive(scans.get(), map_builder.get(), {&progress, scans_to_trace}));
+  ASSIGN_OR_RETURN(
+      DriveRecord drive,
+      Drive(scans.get(), map_builder.get(), {&progress, scans_to_trace, live->board()}));
+  live->Concluding();
   if (drive.num_scans == 0) return Stopped(drive, *scans);
 
   ASSIGN_OR_RETURN(RunResult result,
@@ -114,6 +118,7 @@ absl::Status RunRun() {
   RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options, &result));
   if (!FLAGS_quiet) Tell(result, directory);
   const bool complete = result.drive.num_scans == result.scans_available;
+  live->End(complete);
   return complete ? absl::OkStatus() : Stopped(result.drive, *scans);
 }
 
@@ -135,7 +140,7 @@ Command RunCommand() {
   command.flags = {{"config"},    {"dataset", true}, {"sequence"},     {"labels_dir"},
                    {"map"},       {"freeze_map"},    {"ground_truth"}, {"first_scan"},
                    {"num_scans"}, {"trace_scan"},    {"output", true}, {"threads"},
-                   {"quiet"}};
+                   {"live"},      {"quiet"}};
   command.files = {
       {"odometry_kitti.txt",
        "Poses as the odometry saw the drive, 12 numbers a line; of the camera "
@@ -153,6 +158,8 @@ Command RunCommand() {
       {"Another drive through a map that is there, joined to it",
        "run --config=semantic_kiss_6dof.lua --map=map.pbstream --dataset=data --sequence=01 "
        "--output=output/both"},
+      {"With a page that shows how far it is",
+       "run --dataset=kitti/dataset --live --output=output/00"},
       {"What every stage makes of two of the scans",
        "run --dataset=kitti/dataset --trace_scan=120,450 --output=output/00"},
       {"The baseline without labels",

@@ -30,6 +30,11 @@ class StageTimes {
 
   std::vector<std::pair<std::string, StageSummary>> Summaries() const;
 
+  // Durations of a stage, in the order of their calls; never empty.
+  const std::vector<std::pair<std::string, std::vector<double>>>& durations_ms() const {
+    return durations_ms_;
+  }
+
  private:
   std::vector<std::pair<std::string, std::vector<double>>> durations_ms_;
 };

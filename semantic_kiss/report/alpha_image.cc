@@ -3,48 +3,19 @@
 
 #include "semantic_kiss/report/alpha_image.h"
 
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <string>
+#include <utility>
 
-#include "absl/strings/string_view.h"
 #include "glog/logging.h"
+#include "semantic_kiss/report/png.h"
 
 namespace semantic_kiss::report {
 namespace {
 
 constexpr int kCompressionLevel = 9;
 constexpr int kPaletteSize = kOpaque + 1;
-
-struct FreeCompressor {
-  void operator()(libdeflate_compressor* compressor) const {
-    libdeflate_free_compressor(compressor);
-  }
-};
-
-std::string BigEndian(uint32_t value) {
-  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
-          static_cast<char>(value >> 8), static_cast<char>(value)};
-}
-
-std::string Chunk(absl::string_view kind, absl::string_view data) {
-  const std::string covered = std::string(kind) + std::string(data);
-  return BigEndian(data.size()) + covered +
-         BigEndian(libdeflate_crc32(0, covered.data(), covered.size()));
-}
-
-std::string ZlibCompressed(const std::string& data) {
-  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-      libdeflate_alloc_compressor(kCompressionLevel));
-  CHECK(compressor != nullptr);
-  std::string compressed(libdeflate_zlib_compress_bound(compressor.get(), data.size()), '\0');
-  compressed.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(),
-                                             compressed.data(), compressed.size()));
-  CHECK(!compressed.empty());
-  return compressed;
-}
 
 // Two pixels a byte, the left one in the upper half; a filter type of 0 before each row.
 std::string PackedRows(const AlphaImage& image) {
@@ -97,20 +68,13 @@ bool IsEmpty(const AlphaImage& image) {
 }
 
 std::string ToPng(const AlphaImage& image, const Ink& ink) {
-  CHECK_GT(image.width, 0);
-  CHECK_GT(image.height, 0);
-  // Four bits, palette; usual compression, filters and order.
-  const std::string format = {4, 3, 0, 0, 0};
-  std::string palette, opacities;
+  PalettePicture picture{image.width, image.height, 4, "", "", PackedRows(image)};
   for (int level = 0; level < kPaletteSize; ++level) {
-    palette += {static_cast<char>(ink.color.red), static_cast<char>(ink.color.green),
+    picture.palette += {static_cast<char>(ink.color.red), static_cast<char>(ink.color.green),
                 static_cast<char>(ink.color.blue)};
-    opacities.push_back(static_cast<char>(std::lround(ink.opacity * level * 255. / kOpaque)));
+    picture.opacities.push_back(static_cast<char>(std::lround(ink.opacity * level * 255. / kOpaque)));
   }
-  return std::string("\x89PNG\r\n\x1a\n") +
-         Chunk("IHDR", BigEndian(image.width) + BigEndian(image.height) + format) +
-         Chunk("PLTE", palette) + Chunk("tRNS", opacities) +
-         Chunk("IDAT", ZlibCompressed(PackedRows(image))) + Chunk("IEND", "");
+  return PngFile(picture, kCompressionLevel);
 }
 
 }  // namespace semantic_kiss::report
