@@ -3,6 +3,7 @@
 """A headless Chromium, driven through the WebDriver protocol (https://www.w3.org/TR/webdriver2)."""
 
 import base64
+import contextlib
 import json
 import pathlib
 import re
@@ -23,6 +24,11 @@ def missing():
         if shutil.which(program) is None:
             return program
     return None
+
+
+def opened():
+    """A browser for a `with` block."""
+    return contextlib.closing(Browser())
 
 
 class Browser:
@@ -68,15 +74,18 @@ class Browser:
             shutil.rmtree(self.directory, ignore_errors=True)
 
     def open(self, path):
-        self._post("/url", {"url": pathlib.Path(path).resolve().as_uri()})
+        self.visit(pathlib.Path(path).resolve().as_uri())
+
+    def visit(self, url):
+        self._post("/url", {"url": url})
 
     def run(self, script):
         """What the function body `script` returns in the page."""
         return self._post("/execute/sync", {"script": script, "args": []})
 
-    def wait_until(self, expression):
+    def wait_until(self, expression, within_s=10):
         """Until the expression is true in the page, for a few seconds."""
-        end = time.monotonic() + 10
+        end = time.monotonic() + within_s
         while not self.run(f"return Boolean({expression})"):
             if time.monotonic() > end:
                 raise AssertionError(f"never true: {expression}")

@@ -16,7 +16,6 @@
   let version = 0;
   let touched = false;  // whoever moved the map keeps it where it is
   let failures = 0;
-  let report = null;
 
   function minutes(seconds) {
     const whole = Math.ceil(seconds);
@@ -127,7 +126,10 @@
   async function fetchReport() {
     const answer = await fetch(`/report.html?viewer=${viewer}`);
     if (!answer.ok) throw new Error('no report');
-    report = await answer.text();
+    // The program may be gone when somebody wants to see it.
+    const report = URL.createObjectURL(await answer.blob());
+    $('open-report').href = report;
+    $('save-report').href = report;
     document.title = 'The run has ended';
     $('title').textContent = 'A run';
     $('end').hidden = false;
@@ -148,13 +150,6 @@
     }
     setTimeout(look, POLL_MS);
   }
-
-  // The program may be gone by then: the report takes this page's place as it is.
-  $('open-report').onclick = () => {
-    document.open();
-    document.write(report);
-    document.close();
-  };
 
   look();
 })();

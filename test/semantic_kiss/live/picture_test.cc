@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -14,7 +15,6 @@
 namespace semantic_kiss::live {
 namespace {
 
-using cartographer::sensor::Color;
 using cartographer::submap::SubmapId;
 using cartographer::transform::Rigid3d;
 using semantic_kiss_testing::PlanarPose;
@@ -29,10 +29,11 @@ void Add(int index, const Sketch& sketch, const Rigid3d& pose, int hits, Snapsho
 
 // The red of the picture at a place of the map; -1 where it is transparent.
 int RedAt(const Picture& picture, double x, double y) {
-  const auto png = report::Decode(picture.Png());
-  const Eigen::Vector2d pixel = picture.frame().PixelFromMap({x, y});
-  const auto& at = png.At(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-  return at.alpha == 0 ? -1 : at.red;
+  const semantic_kiss_testing::DecodedPng png = semantic_kiss_testing::DecodePng(picture.Png());
+  const Eigen::Vector2d at = picture.frame().PixelFromMap({x, y});
+  const uint32_t pixel =
+      png.pixels[static_cast<size_t>(at.y()) * png.width + static_cast<size_t>(at.x())];
+  return pixel >> 24 == 0 ? -1 : static_cast<int>(pixel >> 16 & 0xff);
 }
 
 int RedOf(const std::string& label) {

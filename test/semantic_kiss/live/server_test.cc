@@ -8,10 +8,13 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "glog/logging.h"
 #include "test/testing/map_sketch.h"
 #include "test/testing/test_files.h"
 
@@ -33,7 +36,7 @@ std::shared_ptr<const Snapshot> SomeSnapshot(int done) {
 class ServerTest : public ::testing::Test {
  protected:
   ServerTest() {
-    auto server = Server::Start(0, &board_, SketchLabels(), files_.Path("report.html"));
+    auto server = Server::Start(0, &board_, SketchLabels(), directory_ / "report.html");
     CHECK(server.ok()) << server.status();
     server_ = *std::move(server);
     client_ = std::make_unique<httplib::Client>("127.0.0.1", server_->port());
@@ -42,7 +45,7 @@ class ServerTest : public ::testing::Test {
   int StatusOf(const std::string& path) { return client_->Get(path)->status; }
   nlohmann::json State() { return nlohmann::json::parse(client_->Get("/state.json?viewer=a")->body); }
 
-  semantic_kiss_testing::TestFiles files_;
+  semantic_kiss_testing::TemporaryDirectory directory_;
   Board board_{[] { return 0.; }};
   std::unique_ptr<Server> server_;
   std::unique_ptr<httplib::Client> client_;
@@ -73,7 +76,6 @@ TEST_F(ServerTest, TellsHowFarTheRunIs) {
 }
 
 TEST_F(ServerTest, CanOnlyBeRead) {
-  const httplib::Headers none;
   for (const auto& answer : {client_->Post("/", "x", "text/plain"),
                              client_->Put("/state.json", "x", "text/plain"),
                              client_->Delete("/map.png"), client_->Options("/")}) {
@@ -108,7 +110,7 @@ TEST_F(ServerTest, NobodyLooksNobodyIsWaitedFor) {
 }
 
 TEST_F(ServerTest, WaitsUntilThoseWhoLookHaveTheReport) {
-  files_.Write("report.html", "<p>found");
+  semantic_kiss_testing::WriteText(directory_ / "report.html", "<p>found");
   board_.Saw("a");
   EXPECT_EQ(StatusOf("/report.html"), 404);
   std::atomic<bool> concluded{false};
