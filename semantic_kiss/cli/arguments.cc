@@ -111,9 +111,9 @@ absl::Status ParseFlags(const Command& command, const std::vector<std::string>& 
     if (!flag.value.has_value() && !info.bare_value.empty()) flag.value = info.bare_value;
     if (!flag.value.has_value()) {
       if (i + 1 == arguments.size() || absl::StartsWith(arguments[i + 1], "--")) {
-        return UsageError(absl::StrCat("--", flag.name, " needs a value, --", flag.name, "=",
-                                       info.value_name),
-                          command);
+        return UsageError(
+            absl::StrCat("--", flag.name, " needs a value, --", flag.name, "=", info.value_name),
+            command);
       }
       flag.value = arguments[++i];
     }

@@ -42,9 +42,10 @@ DEFINE_string(labels_dir, "",
               "path (also one with sequences/NN/predictions in it), or `none`.");
 DEFINE_double(length, 0., "Length of a synthetic route in metres.");
 DEFINE_string(lidar, "", "The lidar: hdl64, os1_128, vlp16, or another one of the configuration.");
-DEFINE_string(live, "",
-              "Show map and figures while they grow, on a page of 127.0.0.1 at this port, or at any "
-              "free one; the page's address is printed.");
+DEFINE_string(
+    live, "",
+    "Show map and figures while they grow, on a page of 127.0.0.1 at this port, or at any "
+    "free one; the page's address is printed.");
 DEFINE_string(map, "", "Map to read.");
 DEFINE_string(map_ground_truth, "",
               "Folder of the sequence that the map was made from: its poses.txt, times.txt and "

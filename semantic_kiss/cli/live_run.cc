@@ -27,9 +27,8 @@ absl::StatusOr<std::unique_ptr<LiveRun>> LiveRun::Start(
   if (port.empty()) return run;
   int number = 0;
   if (!absl::SimpleAtoi(port, &number) || number < 0 || number > kMaxPort) {
-    return absl::InvalidArgumentError(
-        absl::StrCat("--live=", port, " is no port; take one up to ", kMaxPort,
-                     ", or none for any that is free"));
+    return absl::InvalidArgumentError(absl::StrCat("--live=", port, " is no port; take one up to ",
+                                                   kMaxPort, ", or none for any that is free"));
   }
   ASSIGN_OR_RETURN(run->server_, live::Server::Start(number, &run->board_, labels,
                                                      directory.FileNamed("report.html")));

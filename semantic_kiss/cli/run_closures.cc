@@ -16,6 +16,7 @@ namespace {
 using cartographer::map::Constraint;
 using cartographer::map::Map;
 using cartographer::pose_graph::Closure;
+using cartographer::pose_graph::NodeSearch;
 using cartographer::slam::ScanPose;
 using cartographer::submap::NodeId;
 using cartographer::submap::SubmapId;
@@ -23,6 +24,10 @@ using cartographer::transform::Level;
 using cartographer::transform::Rigid3d;
 using evaluation::ClosureClaim;
 using Json = nlohmann::ordered_json;
+
+const char* FoundBy(const Closure& closure) {
+  return closure.by_place_recognition ? "place_recognition" : "nearby";
+}
 
 std::map<NodeId, int> ScanOfNode(const std::vector<ScanPose>& scan_poses) {
   std::map<NodeId, int> scans;
@@ -70,6 +75,23 @@ std::vector<std::optional<ClosureClaim>> ClaimsOf(const std::vector<Closure>& cl
   return claims;
 }
 
+// How far a candidate came decides what is known of it.
+Json RejectedJson(const NodeId& node_id, const NodeSearch& search) {
+  const Closure& closure = search.best_rejected->closure;
+  const bool matched = search.best_rejected->verdict != "no_match";
+  return {{"node", node_id.node_index},
+          {"trajectory", node_id.trajectory_id},
+          {"submap", closure.constraint.submap_id.submap_index},
+          {"submap_trajectory", closure.constraint.submap_id.trajectory_id},
+          {"by", FoundBy(closure)},
+          {"verdict", search.best_rejected->verdict},
+          {"score", matched ? Json(closure.score) : Json()},
+          {"overlap", matched ? Json(closure.overlap) : Json()},
+          {"inlier_ratio", matched ? Json(closure.inlier_ratio) : Json()},
+          {"node_candidates", search.num_candidates},
+          {"node_accepted", search.num_accepted}};
+}
+
 }  // namespace
 
 int RunClosures::NumFalse() const {
@@ -83,6 +105,9 @@ RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder, co
   RunClosures result;
   result.closures = map_builder.closures();
   result.verdicts = map_builder.closure_verdicts();
+  for (const auto& [node_id, search] : map_builder.closure_searches()) {
+    if (search.best_rejected.has_value()) result.rejected.emplace(node_id, search);
+  }
   if (truth == nullptr) return result;
   const std::vector<ScanPose>& scan_poses = map_builder.scan_poses();
   const std::vector<Rigid3d> driven(truth->begin(), truth->begin() + scan_poses.size());
@@ -106,7 +131,7 @@ Json ClosuresJson(const RunClosures& closures) {
                     {"trajectory", closure.constraint.node_id.trajectory_id},
                     {"submap", closure.constraint.submap_id.submap_index},
                     {"submap_trajectory", closure.constraint.submap_id.trajectory_id},
-                    {"by", closure.by_place_recognition ? "place_recognition" : "nearby"},
+                    {"by", FoundBy(closure)},
                     {"score", closure.score},
                     {"overlap", closure.overlap},
                     {"inlier_ratio", closure.inlier_ratio},
@@ -126,6 +151,10 @@ Json ClosureSearchJson(const RunClosures& closures) {
   json["revisited_m"] = known ? Json(closures.coverage->revisited_m) : Json();
   const auto share = known ? closures.coverage->ClosedShare() : std::nullopt;
   json["closed_share"] = share.has_value() ? Json(*share) : Json();
+  json["rejected"] = Json::array();
+  for (const auto& [node_id, search] : closures.rejected) {
+    json["rejected"].push_back(RejectedJson(node_id, search));
+  }
   return json;
 }
 

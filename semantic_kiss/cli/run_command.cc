@@ -103,9 +103,8 @@ absl::Status RunRun() {
   ASSIGN_OR_RETURN(const auto live, LiveRun::Start(FLAGS_live, configuration.labels, directory));
   StopInGoodOrder();
   ProgressReporter progress = MakeProgressReporter(scans->size());
-  ASSIGN_OR_RETURN(
-      DriveRecord drive,
-      Drive(scans.get(), map_builder.get(), {&progress, scans_to_trace, live->board()}));
+  ASSIGN_OR_RETURN(DriveRecord drive, Drive(scans.get(), map_builder.get(),
+                                            {&progress, scans_to_trace, live->board()}));
   live->Concluding();
   if (drive.num_scans == 0) return Stopped(drive, *scans);
 

@@ -4,13 +4,13 @@
 #include "semantic_kiss/cli/run_report.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "semantic_kiss/cli/closure_verdict.h"
 #include "semantic_kiss/cli/configuration.h"
 #include "semantic_kiss/cli/configuration_difference.h"
 #include "semantic_kiss/cli/peak_memory.h"
@@ -127,24 +127,6 @@ Table Accuracy(const RunResult& result) {
     add_column(*result.odometry_evaluation);
   }
   return table;
-}
-
-// The words of cartographer::pose_graph::VerdictCounts for people.
-std::string MeaningOf(const std::string& verdict) {
-  static const auto& meanings = *new std::map<std::string, std::string>{
-      {"accepted", "became a loop closure"},
-      {"no_match", "no pose in the plane scored well enough"},
-      {"no_agreement", "no other closure nearby said the same"},
-      {"icp_failed", "could not be registered in space"},
-      {"too_few_points", "too little that both saw"},
-      {"low_overlap", "much of what the scan saw is not there"},
-      {"low_inlier_ratio", "what is there has another shape or other labels"},
-      {"large_error", "nearly fits, but not as the same place would"},
-      {"large_correction", "registration in space contradicts the match in the plane"},
-      {"height_mismatch", "the grounds do not meet"},
-      {"degenerate", "the surroundings leave a direction open"}};
-  const auto found = meanings.find(verdict);
-  return found == meanings.end() ? "" : found->second;
 }
 
 std::vector<Table> Candidates(const RunResult& result) {

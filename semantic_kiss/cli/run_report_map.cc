@@ -8,6 +8,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "semantic_kiss/cli/closure_verdict.h"
 #include "semantic_kiss/cli/run_text.h"
 #include "semantic_kiss/report/along_path.h"
 
@@ -15,6 +16,7 @@ namespace semantic_kiss::cli {
 namespace {
 
 using cartographer::pose_graph::Closure;
+using cartographer::pose_graph::NodeSearch;
 using report::MapView;
 using report::Role;
 
@@ -43,10 +45,14 @@ void AddColorings(const RunResult& result, MapView* view) {
   }
 }
 
+std::string FoundBy(const Closure& closure) {
+  return closure.by_place_recognition ? "place recognition" : "nearby";
+}
+
 std::vector<std::string> FactsOf(const Closure& closure) {
   return {absl::StrCat(closure.constraint.node_id.node_index),
           absl::StrCat(closure.constraint.submap_id.submap_index),
-          closure.by_place_recognition ? "place recognition" : "nearby",
+          FoundBy(closure),
           FigureText(closure.score, 2, ""),
           FigureText(closure.overlap, 2, ""),
           FigureText(closure.inlier_ratio, 2, ""),
@@ -59,25 +65,61 @@ std::string ErrorText(const std::optional<evaluation::ClosureError>& error) {
   return absl::StrFormat("%.2f m, %.2f°", error->distance_m, error->angle_deg);
 }
 
+// Where it is; nullopt if the map has not both ends.
+std::optional<report::ClosureMark> MarkOf(const Closure& closure,
+                                          const cartographer::map::Map& map) {
+  const auto node = map.nodes.find(closure.constraint.node_id);
+  const auto submap = map.submaps.find(closure.constraint.submap_id);
+  if (node == map.nodes.end() || submap == map.submaps.end()) return std::nullopt;
+  report::ClosureMark mark;
+  mark.node = node->second.map_from_node.translation().head<2>();
+  mark.submap = submap->second.map_from_submap.translation().head<2>();
+  return mark;
+}
+
+std::vector<std::string> FactsOf(const NodeSearch& search) {
+  const auto& [verdict, closure] = *search.best_rejected;
+  const bool matched = verdict != "no_match";
+  const auto figure = [&](double value) {
+    return matched ? FigureText(value, 2, "") : std::string("-");
+  };
+  return {absl::StrCat(closure.constraint.node_id.node_index),
+          absl::StrCat(closure.constraint.submap_id.submap_index),
+          FoundBy(closure),
+          verdict,
+          MeaningOf(verdict),
+          figure(closure.score),
+          figure(closure.overlap),
+          figure(closure.inlier_ratio),
+          absl::StrCat(search.num_accepted, " of ", search.num_candidates)};
+}
+
+void AddRejected(const RunResult& result, MapView* view) {
+  view->rejected_facts = {"node",  "submap",  "found by", "verdict", "why",
+                          "score", "overlap", "inliers",  "accepted"};
+  for (const auto& [node_id, search] : result.closures.rejected) {
+    std::optional<report::ClosureMark> mark = MarkOf(search.best_rejected->closure, result.map);
+    if (!mark.has_value()) continue;
+    mark->facts = FactsOf(search);
+    view->rejected.push_back(*std::move(mark));
+  }
+}
+
 void AddClosures(const RunResult& result, MapView* view) {
   const RunClosures& closures = result.closures;
   view->closure_facts = {"node", "submap", "found by", "score", "overlap", "inliers", "correction"};
   if (!closures.errors.empty()) view->closure_facts.push_back("true error");
   for (size_t i = 0; i < closures.closures.size(); ++i) {
-    const auto& constraint = closures.closures[i].constraint;
-    const auto node = result.map.nodes.find(constraint.node_id);
-    const auto submap = result.map.submaps.find(constraint.submap_id);
-    if (node == result.map.nodes.end() || submap == result.map.submaps.end()) continue;
-    report::ClosureMark mark;
-    mark.node = node->second.map_from_node.translation().head<2>();
-    mark.submap = submap->second.map_from_submap.translation().head<2>();
+    std::optional<report::ClosureMark> placed = MarkOf(closures.closures[i], result.map);
+    if (!placed.has_value()) continue;
+    report::ClosureMark& mark = *placed;
     mark.facts = FactsOf(closures.closures[i]);
     if (!closures.errors.empty()) {
       const std::optional<evaluation::ClosureError>& error = closures.errors[i];
       if (error.has_value()) mark.right = !error->False();
       mark.facts.push_back(ErrorText(error));
     }
-    view->closures.push_back(std::move(mark));
+    view->closures.push_back(std::move(*placed));
   }
 }
 
@@ -90,6 +132,7 @@ MapView RunMapView(const RunResult& result, report::MapLayers layers) {
   AddPaths(result, &view);
   AddColorings(result, &view);
   AddClosures(result, &view);
+  AddRejected(result, &view);
   return view;
 }
 

@@ -27,12 +27,9 @@ nlohmann::ordered_json MapFeed::Description() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (version_ == 0) return {};
   const cartographer::io::RasterFrame& frame = picture_.frame();
-  return {{"version", version_},
-          {"min_x", frame.min_x},
-          {"max_y", frame.max_y},
-          {"resolution", frame.resolution_m},
-          {"width", frame.width},
-          {"height", frame.height}};
+  return {{"version", version_},  {"min_x", frame.min_x},
+          {"max_y", frame.max_y}, {"resolution", frame.resolution_m},
+          {"width", frame.width}, {"height", frame.height}};
 }
 
 std::string MapFeed::Png() const {

@@ -26,7 +26,8 @@ class Picture {
  public:
   explicit Picture(const cartographer::sensor::LabelSet& labels) : labels_(labels) {}
 
-  // Takes in what is new; whether there was anything. Submaps whose pose is not finite are left out.
+  // Takes in what is new; whether there was anything. Submaps whose pose is not finite are left
+  // out.
   bool Draw(const Snapshot& snapshot);
 
   // How it lies in the map frame; of size 0 before anything is drawn.

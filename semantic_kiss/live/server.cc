@@ -108,9 +108,7 @@ class Server::Impl {
   }
 
   void Route() {
-    server_.Get("/", [](const auto&, auto& response) {
-      response.set_content(LivePage(), kHtml);
-    });
+    server_.Get("/", [](const auto&, auto& response) { response.set_content(LivePage(), kHtml); });
     server_.Get("/state.json", [this](const auto& request, auto& response) {
       board_.Saw(request.get_param_value("viewer"));
       response.set_content(StateJson().dump(), "application/json");
@@ -127,9 +125,7 @@ class Server::Impl {
     });
   }
 
-  bool Ended() const {
-    return board_.phase() == Phase::kDone || board_.phase() == Phase::kStopped;
-  }
+  bool Ended() const { return board_.phase() == Phase::kDone || board_.phase() == Phase::kStopped; }
 
   nlohmann::ordered_json StateJson() {
     const std::shared_ptr<const Snapshot> snapshot = board_.Look();

@@ -14,9 +14,9 @@
 
 namespace semantic_kiss::live {
 
-// Shows a run to browsers of this machine: http://127.0.0.1:PORT/, nowhere else. Read-only: whatever
-// is not GET is refused (405), and so is whatever does not call us by 127.0.0.1 or localhost (403),
-// lest a page from elsewhere look on by a name of its own (DNS rebinding).
+// Shows a run to browsers of this machine: http://127.0.0.1:PORT/, nowhere else. Read-only:
+// whatever is not GET is refused (405), and so is whatever does not call us by 127.0.0.1 or
+// localhost (403), lest a page from elsewhere look on by a name of its own (DNS rebinding).
 //
 //   /             the page
 //   /state.json   {phase, snapshot (snapshot_json.h) or null, picture or null: {version, min_x,
@@ -25,8 +25,8 @@ namespace semantic_kiss::live {
 //   /report.html  the run's report, once there is one
 class Server {
  public:
-  // `port` 0: any that is free. `board` must outlive the server; `report_path` is where the run puts
-  // its report. Errors: a port that is taken.
+  // `port` 0: any that is free. `board` must outlive the server; `report_path` is where the run
+  // puts its report. Errors: a port that is taken.
   static absl::StatusOr<std::unique_ptr<Server>> Start(int port, Board* board,
                                                        const cartographer::sensor::LabelSet& labels,
                                                        const std::string& report_path);

@@ -71,8 +71,9 @@ std::string ToPng(const AlphaImage& image, const Ink& ink) {
   PalettePicture picture{image.width, image.height, 4, "", "", PackedRows(image)};
   for (int level = 0; level < kPaletteSize; ++level) {
     picture.palette += {static_cast<char>(ink.color.red), static_cast<char>(ink.color.green),
-                static_cast<char>(ink.color.blue)};
-    picture.opacities.push_back(static_cast<char>(std::lround(ink.opacity * level * 255. / kOpaque)));
+                        static_cast<char>(ink.color.blue)};
+    picture.opacities.push_back(
+        static_cast<char>(std::lround(ink.opacity * level * 255. / kOpaque)));
   }
   return PngFile(picture, kCompressionLevel);
 }

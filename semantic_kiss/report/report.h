@@ -50,7 +50,7 @@ struct Coloring {
 struct ClosureMark {
   Eigen::Vector2d node, submap;    // [m], map frame: the ends of the line
   std::optional<bool> right;       // known with ground truth only
-  std::vector<std::string> facts;  // one for each of MapView::closure_facts
+  std::vector<std::string> facts;  // one for each of closure_facts or rejected_facts
 };
 
 // A map to look at, with what was driven in it.
@@ -61,6 +61,8 @@ struct MapView {
   std::vector<Coloring> colorings;
   std::vector<std::string> closure_facts;  // names: "score", "overlap", ...
   std::vector<ClosureMark> closures;
+  std::vector<std::string> rejected_facts;
+  std::vector<ClosureMark> rejected;  // what might have been closures
 };
 
 struct Series {

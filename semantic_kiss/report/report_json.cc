@@ -89,24 +89,35 @@ Json PathJson(const Path& path) {
   return {{"name", path.name}, {"role", NameOf(path.role)}, {"x", x}, {"y", y}};
 }
 
+Json ClosuresJson(const std::vector<ClosureMark>& closures) {
+  Json json = Json::array();
+  for (const ClosureMark& closure : closures) {
+    json.push_back({{"node", Point(closure.node)},
+                    {"submap", Point(closure.submap)},
+                    {"right", closure.right ? Json(*closure.right) : Json()},
+                    {"facts", closure.facts}});
+  }
+  return json;
+}
+
 Json MapJson(const MapView& map) {
-  Json json = {{"caption", map.caption},          {"frame", FrameJson(map.layers.frame)},
-               {"halvings", map.layers.halvings}, {"tile_side", map.layers.tile_side_px},
-               {"layers", Json::array()},         {"paths", Json::array()},
-               {"colorings", Json::array()},      {"closure_facts", map.closure_facts},
-               {"closures", Json::array()}};
+  Json json = {{"caption", map.caption},
+               {"frame", FrameJson(map.layers.frame)},
+               {"halvings", map.layers.halvings},
+               {"tile_side", map.layers.tile_side_px},
+               {"layers", Json::array()},
+               {"paths", Json::array()},
+               {"colorings", Json::array()},
+               {"closure_facts", map.closure_facts},
+               {"closures", ClosuresJson(map.closures)},
+               {"rejected_facts", map.rejected_facts},
+               {"rejected", ClosuresJson(map.rejected)}};
   for (const MapLayer& layer : map.layers.layers) json["layers"].push_back(LayerJson(layer));
   for (const Path& path : map.paths) json["paths"].push_back(PathJson(path));
   for (const Coloring& coloring : map.colorings) {
     json["colorings"].push_back({{"name", coloring.name},
                                  {"unit", coloring.unit},
                                  {"values", Numbers(coloring.values, kValueDigits)}});
-  }
-  for (const ClosureMark& closure : map.closures) {
-    json["closures"].push_back({{"node", Point(closure.node)},
-                                {"submap", Point(closure.submap)},
-                                {"right", closure.right ? Json(*closure.right) : Json()},
-                                {"facts", closure.facts}});
   }
   return json;
 }

@@ -14,7 +14,8 @@ namespace semantic_kiss::report {
 //   maps: [{caption, frame {min_x, max_y, resolution, width, height}, halvings, tile_side,
 //           layers: [{name, group, color "#rrggbb", tiles {"level/column/row": data URI}}],
 //           paths: [{name, role, x, y}], colorings: [{name, unit, values}],
-//           closure_facts, closures: [{node, submap, right, facts}]}]
+//           closure_facts, closures: [{node, submap, right, facts}],
+//           rejected_facts, rejected: as closures}]
 //   charts: [{kind, heading, x_name, y_name, x, categories, series [{name, role, values}],
 //             along_path}]
 // Roles are "trajectory", "odometry", "truth"; kinds are "line", "columns", "rows". What is not

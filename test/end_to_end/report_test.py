@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pages of `run` and `render` in a real browser: do they work for those who look at them?"""
 
+import json
 import os
 import re
 import shutil
@@ -12,7 +13,7 @@ import unittest
 
 import browser
 from picture import read_png
-from program import BINARY, ProgramTest, main, read
+from program import BINARY, ProgramTest, main, read, write
 from ring import simulate_ring
 
 TAB, RIGHT = "\ue004", "\ue014"
@@ -51,8 +52,12 @@ class ReportTest(ProgramTest):
         cls.addClassCleanup(shutil.rmtree, cls.work)
         simulate_ring(cls.work, ring_m=150., length_m=200., scan_rate_hz=5.)
         out = os.path.join(cls.work, "out")
-        run_program("run", "--config=semantic_kiss_6dof.lua", f"--dataset={cls.work}",
-                    f"--output={out}", "--quiet")
+        # So strict that some candidates are rejected.
+        strict = os.path.join(cls.work, "strict.lua")
+        write(strict, 'local options = include "semantic_kiss_6dof.lua"\n'
+                      "options.pose_graph.verification.acceptance.min_inlier_ratio = 0.87\nreturn options\n")
+        run_program("run", f"--config={strict}", f"--dataset={cls.work}", f"--output={out}",
+                    "--quiet")
         cls.page = os.path.join(out, "report.html")
         cls.map = os.path.join(out, "map.pbstream")
         cls.browser = browser.Browser()
@@ -146,6 +151,23 @@ class ReportTest(ProgramTest):
         self.browser.wait_until("!document.querySelector('.leaflet-popup')")
         self.browser.click_at(tip["x"] + tip["width"] / 2, tip["y"] + tip["height"] - 7)
         self.browser.wait_until("document.querySelector('.leaflet-popup .facts')")
+
+    def test_rejected_closures_tell_why(self):
+        self.open()
+        box = ("[...document.querySelectorAll('.check')].find((label) => "
+               "label.innerText.trim() == 'Rejected closures').querySelector('input')")
+        self.assertFalse(self.browser.run(f"return {box}.checked"))
+        self.click("document.querySelectorAll('#closures section')[1].querySelector('button')")
+        self.assertTrue(self.browser.run(f"return {box}.checked"))
+        with open(os.path.join(os.path.dirname(self.page), "run.json")) as file:
+            first = json.load(file)["closure_search"]["rejected"][0]
+        facts = self.text(".leaflet-popup .facts")
+        for words in (first["verdict"], "why", "found by", f"node\n{first['node']}",
+                      f"submap\n{first['submap']}"):
+            self.assertIn(words, facts)
+        self.click("document.querySelector('.leaflet-popup-close-button')")
+        self.click(box)
+        self.assertFalse(self.browser.run(f"return {box}.checked"))
 
     def test_everything_can_be_reached_with_the_keyboard(self):
         self.open()

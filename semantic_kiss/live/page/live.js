@@ -77,7 +77,7 @@
   function openMap(frame) {
     view = createMapView($('map'), {frame, halvings: 6, tile_side: 512, layers: []});
     drive = new DriveView(view.map, {
-      frame, paths: [], colorings: [], closure_facts: [], closures: [],
+      frame, paths: [], colorings: [], closure_facts: [], closures: [], rejected_facts: [], rejected: [],
     });
     picture = L.imageOverlay('data:,', boundsOf(frame)).addTo(view.map);
     for (const event of ['mousedown', 'wheel', 'touchstart', 'keydown']) {

@@ -2,17 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 'use strict';
 
-// The table of loop closures; its buttons show them on the map.
+// The tables of loop closures and of what might have been one; their buttons show them on the map.
 
-const CLOSURES_AT_FIRST = 8;
+const ROWS_AT_FIRST = 8;
 
-function closureRow(data, index, drive, stage) {
-  const closure = data.closures[index];
+const CLOSURE_TABLES = [
+  {part: 'closures', facts: 'closure_facts', heading: 'Loop closures', one: 'loop closure', note: ''},
+  {part: 'rejected', facts: 'rejected_facts', heading: 'Rejected closures', one: 'rejected closure',
+   note: 'Of each scan that was looked for, the candidate that came furthest and became no closure; ' +
+         'how many of its candidates did.'},
+];
+
+function closureRow(table, data, index, drive, stage) {
+  const closure = data[table.part][index];
   const button = element('button', {
-    type: 'button', textContent: 'Show', 'aria-label': `Show loop closure ${index + 1} on the map`,
+    type: 'button', textContent: 'Show', 'aria-label': `Show ${table.one} ${index + 1} on the map`,
     onclick: () => {
       stage.scrollIntoView({block: 'nearest'});
-      drive.select(index);
+      drive.select(table.part, index);
     },
   });
   const row = element('tr', {}, ...closure.facts.map(
@@ -21,25 +28,30 @@ function closureRow(data, index, drive, stage) {
   return row;
 }
 
-function buildClosures(container, data, drive, stage) {
-  if (data.closures.length === 0) return;
-  const rows = data.closures.map((_, index) => closureRow(data, index, drive, stage));
-  const body = element('tbody', {}, ...rows.slice(0, CLOSURES_AT_FIRST));
-  const heads = [...data.closure_facts, ''].map(
+function closureTable(table, data, drive, stage) {
+  const rows = data[table.part].map((_, index) => closureRow(table, data, index, drive, stage));
+  const body = element('tbody', {}, ...rows.slice(0, ROWS_AT_FIRST));
+  const heads = [...data[table.facts], ''].map(
       (name) => element('th', {scope: 'col', textContent: name}));
-  const section = element('section', {}, element('h2', {textContent: 'Loop closures'}),
+  const section = element('section', {}, element('h2', {textContent: table.heading}),
+      ...(table.note ? [element('p', {class: 'note', textContent: table.note})] : []),
       element('div', {class: 'scroll'}, element('table', {},
           element('thead', {}, element('tr', {}, ...heads)), body)));
-  if (rows.length > CLOSURES_AT_FIRST) {
+  if (rows.length > ROWS_AT_FIRST) {
     const more = element('button', {
       type: 'button', textContent: `All ${rows.length}`,
       onclick: () => {
-        body.append(...rows.slice(CLOSURES_AT_FIRST));
-        rows[CLOSURES_AT_FIRST].querySelector('button').focus();
+        body.append(...rows.slice(ROWS_AT_FIRST));
+        rows[ROWS_AT_FIRST].querySelector('button').focus();
         more.remove();
       },
     });
     section.append(more);
   }
-  container.append(section);
+  return section;
+}
+
+function buildClosures(container, data, drive, stage) {
+  container.append(...CLOSURE_TABLES.filter(({part}) => data[part].length > 0).map(
+      (table) => closureTable(table, data, drive, stage)));
 }

@@ -64,39 +64,50 @@ function closureFacts(names, closure) {
   return list;
 }
 
-function closureLine(data, closure) {
-  const color = themeColor(closure.right === false ? 'wrong' : 'closure');
+// Loop closures and what might have been one: a line from the scan to the submap.
+const CLOSURE_STYLES = {
+  closures: {facts: 'closure_facts', color: 'closure', line: {weight: 1.5, opacity: 0.6}, radius: 2},
+  rejected: {facts: 'rejected_facts', color: 'rejected', radius: 3.5,
+             line: {weight: 1.5, opacity: 0.8, dashArray: '2 4'}},
+};
+
+function closureLine(part, data, closure) {
+  const style = CLOSURE_STYLES[part];
+  const color = themeColor(closure.right === false ? 'wrong' : style.color);
   const ends = [closure.node, closure.submap].map(([x, y]) => [y, x]);
   const group = L.featureGroup([
-    L.polyline(ends, {color, weight: 1.5, opacity: 0.6}),
-    L.circleMarker(ends[0], {radius: 2, weight: 0, fillColor: color, fillOpacity: 1}),
+    L.polyline(ends, {color, ...style.line}),
+    L.circleMarker(ends[0], {radius: style.radius, weight: 0, fillColor: color, fillOpacity: 1}),
   ]);
-  return group.bindPopup(() => closureFacts(data.closure_facts, closure), {maxWidth: 260});
+  return group.bindPopup(() => closureFacts(data[style.facts], closure), {maxWidth: 260});
 }
 
-// Everything of a drive on one map. Parts: "trajectory", "odometry", "truth" (by role), "closures".
+// Everything of a drive on one map. Parts: "trajectory", "odometry", "truth" (by role), "closures",
+// "rejected".
 class DriveView {
   constructor(map, data) {
     this.map = map;
     this.data = data;
     this.visible = new Map([['trajectory', true], ['odometry', false], ['truth', false],
-                            ['closures', true]]);
+                            ['closures', true], ['rejected', false]]);
+    this.onshow = [];  // called with (part, visible)
     this.coloring = data.colorings.length > 0 ? 0 : -1;
     this.group = L.layerGroup().addTo(map);
-    this.closures = [];
+    this.lines = {closures: [], rejected: []};
     this.cursor = null;
     this.draw();
     darkTheme.addEventListener('change', () => this.draw());
   }
 
   has(part) {
-    if (part === 'closures') return this.data.closures.length > 0;
+    if (part in CLOSURE_STYLES) return this.data[part].length > 0;
     return this.data.paths.some((path) => path.role === part);
   }
 
   show(part, visible) {
     this.visible.set(part, visible);
     this.draw();
+    this.onshow.forEach((tell) => tell(part, visible));
   }
 
   colorBy(index) {
@@ -117,8 +128,10 @@ class DriveView {
         if (path.role === 'trajectory' && path.x.length > 0) this.drawTrajectory(path, index, add);
       });
     }
-    this.closures = this.data.closures.map((closure) => closureLine(this.data, closure));
-    if (this.visible.get('closures')) this.closures.forEach(add);
+    for (const part of ['rejected', 'closures']) {
+      this.lines[part] = this.data[part].map((closure) => closureLine(part, this.data, closure));
+      if (this.visible.get(part)) this.lines[part].forEach(add);
+    }
   }
 
   drawTrajectory(path, index, add) {
@@ -132,10 +145,10 @@ class DriveView {
     endMarks(points).forEach(add);
   }
 
-  // Opens what is known of a closure.
-  select(index) {
-    const closure = this.closures[index];
-    if (!this.visible.get('closures')) return;
+  // Opens what is known of a closure, or of a candidate that became none.
+  select(part, index) {
+    if (!this.visible.get(part)) this.show(part, true);
+    const closure = this.lines[part][index];
     this.map.fitBounds(closure.getBounds().pad(1), {maxZoom: 1, animate: false});
     closure.openPopup();
   }

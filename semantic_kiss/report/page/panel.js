@@ -6,7 +6,7 @@
 
 const PART_NAMES = {
   trajectory: 'Trajectory', odometry: 'Odometry alone', truth: 'Ground truth',
-  closures: 'Loop closures',
+  closures: 'Loop closures', rejected: 'Rejected closures',
 };
 
 function checkbox(name, checked, change, ...decoration) {
@@ -45,9 +45,12 @@ function driveControls(drives) {
   for (const [part, name] of Object.entries(PART_NAMES)) {
     if (!drives.some((drive) => drive.has(part))) continue;
     const visible = drives[0].visible.get(part);
-    const {label} = checkbox(
+    const {box, label} = checkbox(
         name, visible, (on) => drives.forEach((drive) => drive.show(part, on)),
         element('span', {class: `line ${part}`}));
+    drives.forEach((drive) => drive.onshow.push((shown, on) => {
+      if (shown === part) box.checked = on;
+    }));
     group.append(label);
     if (part === 'trajectory' && drives[0].data.colorings.length > 0) {
       group.append(coloringControl(drives));

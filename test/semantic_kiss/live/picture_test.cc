@@ -36,9 +36,7 @@ int RedAt(const Picture& picture, double x, double y) {
   return pixel >> 24 == 0 ? -1 : static_cast<int>(pixel >> 16 & 0xff);
 }
 
-int RedOf(const std::string& label) {
-  return SketchLabels().ColorOf(SketchLabel(label)).red;
-}
+int RedOf(const std::string& label) { return SketchLabels().ColorOf(SketchLabel(label)).red; }
 
 TEST(PictureTest, IsEmptyBeforeAnythingIsDrawn) {
   Picture picture(SketchLabels());

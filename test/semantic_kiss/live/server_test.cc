@@ -21,8 +21,8 @@
 namespace semantic_kiss::live {
 namespace {
 
-using ::testing::HasSubstr;
 using semantic_kiss_testing::SketchLabels;
+using ::testing::HasSubstr;
 
 std::shared_ptr<const Snapshot> SomeSnapshot(int done) {
   auto snapshot = std::make_shared<Snapshot>();
@@ -43,7 +43,9 @@ class ServerTest : public ::testing::Test {
   }
 
   int StatusOf(const std::string& path) { return client_->Get(path)->status; }
-  nlohmann::json State() { return nlohmann::json::parse(client_->Get("/state.json?viewer=a")->body); }
+  nlohmann::json State() {
+    return nlohmann::json::parse(client_->Get("/state.json?viewer=a")->body);
+  }
 
   semantic_kiss_testing::TemporaryDirectory directory_;
   Board board_{[] { return 0.; }};
@@ -76,9 +78,9 @@ TEST_F(ServerTest, TellsHowFarTheRunIs) {
 }
 
 TEST_F(ServerTest, CanOnlyBeRead) {
-  for (const auto& answer : {client_->Post("/", "x", "text/plain"),
-                             client_->Put("/state.json", "x", "text/plain"),
-                             client_->Delete("/map.png"), client_->Options("/")}) {
+  for (const auto& answer :
+       {client_->Post("/", "x", "text/plain"), client_->Put("/state.json", "x", "text/plain"),
+        client_->Delete("/map.png"), client_->Options("/")}) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->status, 405);
     EXPECT_EQ(answer->get_header_value("Allow"), "GET, HEAD");
@@ -91,8 +93,8 @@ TEST_F(ServerTest, AnswersToItsOwnNamesAlone) {
   for (const std::string& name : {"127.0.0.1:" + port, "localhost:" + port}) {
     EXPECT_EQ(client_->Get("/state.json", {{"Host", name}})->status, 200) << name;
   }
-  for (const std::string& name : {"rebound.example:" + port, std::string("127.0.0.1:1"),
-                                  std::string("127.0.0.1")}) {
+  for (const std::string& name :
+       {"rebound.example:" + port, std::string("127.0.0.1:1"), std::string("127.0.0.1")}) {
     EXPECT_EQ(client_->Get("/state.json", {{"Host", name}})->status, 403) << name;
   }
 }

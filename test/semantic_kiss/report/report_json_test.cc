@@ -24,6 +24,8 @@ Report SmallReport() {
   map.colorings = {{"error", "m", {0.1, std::numeric_limits<double>::quiet_NaN()}}};
   map.closure_facts = {"score"};
   map.closures = {{{1., 2.}, {3., 4.}, true, {"0.5"}}, {{1., 2.}, {3., 4.}, std::nullopt, {"0.6"}}};
+  map.rejected_facts = {"why"};
+  map.rejected = {{{5., 6.}, {7., 8.}, std::nullopt, {"low overlap"}}};
   Report report;
   report.maps = {map};
   Chart chart;
@@ -55,6 +57,9 @@ TEST(ReportJsonTest, TellsOfMaps) {
   EXPECT_EQ(map["closures"][0], Json::parse("{\"node\": [1.0, 2.0], \"submap\": [3.0, 4.0], "
                                             "\"right\": true, \"facts\": [\"0.5\"]}"));
   EXPECT_TRUE(map["closures"][1]["right"].is_null());
+  EXPECT_EQ(map["rejected_facts"], Json::parse("[\"why\"]"));
+  EXPECT_EQ(map["rejected"], Json::parse("[{\"node\": [5.0, 6.0], \"submap\": [7.0, 8.0], "
+                                         "\"right\": null, \"facts\": [\"low overlap\"]}]"));
 }
 
 TEST(ReportJsonTest, TellsOfCharts) {
