@@ -53,7 +53,8 @@ APART = [
 ]
 
 PLUGIN = "semantic_kiss/local_trajectory_builder"
-PLUGIN_FILES = ("semantic_kiss/local_trajectory_builder", "semantic_kiss/proto/")
+PLUGIN_FILES = ("semantic_kiss/local_trajectory_builder", "semantic_kiss/trace_odometry",
+                "semantic_kiss/proto/")
 FLOOR_OF = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 TREES = ("cartographer", "semantic_kiss")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,23 @@ std::vector<Figure> HeadlineFigures(const RunResult& result) {
   return figures;
 }
 
+// "1 drive, 1090 nodes, 109 submaps"; empty for a new map.
+std::string EarlierText(const RunResult& result) {
+  std::set<int> drives;
+  int nodes = 0, submaps = 0;
+  for (const auto& [id, node] : result.map.nodes) {
+    if (id.trajectory_id == result.trajectory_id) continue;
+    drives.insert(id.trajectory_id);
+    ++nodes;
+  }
+  for (const auto& [id, submap] : result.map.submaps) {
+    submaps += id.trajectory_id == result.trajectory_id ? 0 : 1;
+  }
+  if (drives.empty()) return "";
+  return absl::StrFormat("%d %s, %d nodes, %d submaps", drives.size(),
+                         drives.size() == 1 ? "drive" : "drives", nodes, submaps);
+}
+
 Table AboutTheRun(const RunResult& result) {
   Table table{"Run", "", {}, {}};
   table.rows = {
@@ -88,6 +106,8 @@ Table AboutTheRun(const RunResult& result) {
                               result.map.submaps.size(), result.map.constraints.size())},
       {"label set", result.map.labels.name()},
   };
+  const std::string earlier = EarlierText(result);
+  if (!earlier.empty()) table.rows.push_back({"of these before", earlier});
   if (!result.closures.verdicts.empty()) {
     table.rows.push_back({"loop closures", ClosuresLine(result.closures)});
   }
@@ -179,6 +199,8 @@ report::Report RunReport(const RunResult& result, report::MapLayers layers) {
                                       ? absl::StrFormat("%.0f m", driven_m)
                                       : absl::StrFormat("%.1f km", driven_m / kKilometre_m));
   report.subtitle = absl::StrCat("semantic_kiss ", Version(), ", ", ScansText(result), " scans");
+  const std::string earlier = EarlierText(result);
+  if (!earlier.empty()) absl::StrAppend(&report.subtitle, ", added to a map of ", earlier);
   report.figures = HeadlineFigures(result);
   report.maps.push_back(RunMapView(result, std::move(layers)));
   report.charts = RunCharts(result);

@@ -3,6 +3,7 @@
 
 #include "semantic_kiss/cli/run_report_map.h"
 
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,18 @@ using cartographer::pose_graph::Closure;
 using cartographer::pose_graph::NodeSearch;
 using report::MapView;
 using report::Role;
+
+void AddEarlierDrives(const RunResult& result, MapView* view) {
+  std::map<int, std::vector<Eigen::Vector2d>> positions;
+  for (const auto& [id, node] : result.map.nodes) {
+    if (id.trajectory_id == result.trajectory_id) continue;
+    positions[id.trajectory_id].push_back(node.map_from_node.translation().head<2>());
+  }
+  for (auto& [trajectory_id, path] : positions) {
+    view->paths.push_back(
+        {absl::StrCat("drive ", trajectory_id), Role::kEarlierDrive, std::move(path)});
+  }
+}
 
 void AddPaths(const RunResult& result, MapView* view) {
   view->paths.push_back(
@@ -130,6 +143,7 @@ MapView RunMapView(const RunResult& result, report::MapLayers layers) {
   view.caption = "of the run";
   view.layers = std::move(layers);
   AddPaths(result, &view);
+  AddEarlierDrives(result, &view);
   AddColorings(result, &view);
   AddClosures(result, &view);
   AddRejected(result, &view);

@@ -67,6 +67,7 @@ absl::StatusOr<RunResult> Conclude(const Configuration& configuration, DriveReco
   result.unknown_label_ids = scans.unknown_label_ids();
 
   FinishMap(map_builder, &result);
+  result.trajectory_id = map_builder->trajectory_id();
   result.map.configuration_lua = configuration.lua;
   result.map.history.push_back(absl::StrCat("semantic_kiss ", Version()));
 

@@ -35,6 +35,7 @@ struct RunResult {
   // And in truth, in the world of the ground truth; empty if there is none.
   std::vector<cartographer::transform::Rigid3d> true_lidar_poses;
   cartographer::map::Map map;
+  int trajectory_id = 0;  // of the drive in the map; others were there before
   RunClosures closures;
   // The odometry's drive, from the first scan's place in the map on: what maps are compared with,
   // also where an earlier map was continued and the two frames have nothing in common.

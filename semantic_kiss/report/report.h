@@ -31,7 +31,7 @@ struct Table {
 };
 
 // Whose line it is: each has a colour of its own, the same in maps and charts.
-enum class Role { kTrajectory, kOdometry, kGroundTruth };
+enum class Role { kTrajectory, kOdometry, kGroundTruth, kEarlierDrive };
 
 struct Path {
   std::string name;

@@ -43,6 +43,8 @@ const char* NameOf(Role role) {
       return "odometry";
     case Role::kGroundTruth:
       return "truth";
+    case Role::kEarlierDrive:
+      return "earlier";
   }
   LOG(FATAL) << "unknown role " << static_cast<int>(role);
 }

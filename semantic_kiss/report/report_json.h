@@ -18,8 +18,8 @@ namespace semantic_kiss::report {
 //           rejected_facts, rejected: as closures}]
 //   charts: [{kind, heading, x_name, y_name, x, categories, series [{name, role, values}],
 //             along_path}]
-// Roles are "trajectory", "odometry", "truth"; kinds are "line", "columns", "rows". What is not
-// finite becomes null.
+// Roles are "trajectory", "odometry", "truth", "earlier"; kinds are "line", "columns", "rows". What
+// is not finite becomes null.
 nlohmann::ordered_json ReportJson(const Report& report);
 
 }  // namespace semantic_kiss::report

@@ -231,6 +231,19 @@ class ReportTest(ProgramTest):
         self.assertEqual(scales[0], scales[1])
         self.assertIn("bare.pbstream", self.text("body"))
 
+    def test_a_drive_added_to_a_map_is_shown_with_those_before(self):
+        self.succeed("run", "--config=semantic_kiss_6dof.lua", f"--dataset={self.work}",
+                     f"--map={self.map}", "--num_scans=60", f"--output={self.path('both')}",
+                     "--quiet")
+        self.open(self.path("both", "report.html"))
+        self.assertIn("added to a map of 1 drive", self.text(".subtitle"))
+        roles = self.browser.run("return JSON.parse(document.getElementById('data').textContent)"
+                                 ".maps[0].paths.map((path) => [path.role, path.x.length])")
+        lengths = dict(roles)
+        self.assertEqual(lengths["trajectory"], 60)
+        self.assertGreater(lengths["earlier"], 60)
+        self.assertIn("Earlier drives", self.text(".panel"))
+
     def test_a_map_gives_the_same_page_again(self):
         pages = [self.path("a.html"), self.path("b.html")]
         for threads, page in enumerate(pages, 1):

@@ -40,6 +40,7 @@ const PATH_STYLES = {
   trajectory: {weight: 3, color: 'trajectory'},
   odometry: {weight: 2, color: 'odometry', dashArray: '7 5'},
   truth: {weight: 2, color: 'truth', dashArray: '1 5'},
+  earlier: {weight: 2.5, color: 'earlier', opacity: 0.9},
 };
 
 function plainLine(points, role) {
@@ -82,14 +83,14 @@ function closureLine(part, data, closure) {
   return group.bindPopup(() => closureFacts(data[style.facts], closure), {maxWidth: 260});
 }
 
-// Everything of a drive on one map. Parts: "trajectory", "odometry", "truth" (by role), "closures",
-// "rejected".
+// Everything of a drive on one map. Parts: "trajectory", "odometry", "truth", "earlier" (by role),
+// "closures", "rejected".
 class DriveView {
   constructor(map, data) {
     this.map = map;
     this.data = data;
     this.visible = new Map([['trajectory', true], ['odometry', false], ['truth', false],
-                            ['closures', true], ['rejected', false]]);
+                            ['earlier', true], ['closures', true], ['rejected', false]]);
     this.onshow = [];  // called with (part, visible)
     this.coloring = data.colorings.length > 0 ? 0 : -1;
     this.group = L.layerGroup().addTo(map);
@@ -118,7 +119,7 @@ class DriveView {
   draw() {
     this.group.clearLayers();
     const add = (layer) => this.group.addLayer(layer);
-    for (const role of ['truth', 'odometry']) {
+    for (const role of ['earlier', 'truth', 'odometry']) {
       for (const path of this.data.paths) {
         if (path.role === role && this.visible.get(role)) add(plainLine(latLngs(path), role));
       }

@@ -6,6 +6,7 @@
 
 const PART_NAMES = {
   trajectory: 'Trajectory', odometry: 'Odometry alone', truth: 'Ground truth',
+  earlier: 'Earlier drives',
   closures: 'Loop closures', rejected: 'Rejected closures',
 };
 
