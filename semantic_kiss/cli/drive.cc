@@ -64,7 +64,8 @@ absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_bu
     }
     const std::optional<double> error_m = CurrentError(*scans, *map_builder);
     watch.progress->Update(record.num_scans, error_m);
-    if (watch.board != nullptr && watch.board->Wanted()) {
+    const bool last = i + 1 == scans->size() || StopRequested();
+    if (watch.board != nullptr && (last || watch.board->Wanted())) {
       auto snapshot = std::make_shared<live::Snapshot>(TakeSnapshot(record, *map_builder));
       snapshot->total = scans->size();
       snapshot->elapsed_s = SteadySeconds() - begin_s;
