@@ -32,6 +32,7 @@ FLOORS = [
     ["semantic_kiss/report"],
     ["semantic_kiss/live"],
     ["semantic_kiss/cli"],
+    ["semantic_kiss/manual"],
 ]
 
 # Folders of messages alone: what files carry, in the packages of other programs. Their generated

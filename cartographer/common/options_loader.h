@@ -11,8 +11,9 @@
 #include "cartographer/common/lua_file.h"
 
 namespace google::protobuf {
+class FieldDescriptor;
 class Message;
-}
+}  // namespace google::protobuf
 
 namespace cartographer::common {
 
@@ -48,6 +49,10 @@ absl::Status LoadOptionsFromString(const std::string& source, const std::string&
 // LoadOptionsFromString() reads a message that LoadOptions() filled back to an equal one, numbers
 // to the last bit. Keys stand in the order of the fields' declaration, keys of maps in their own.
 std::string OptionsToLua(const google::protobuf::Message& options);
+
+// The value of one field of it, on one line however long: what would follow the key.
+std::string OptionToLua(const google::protobuf::Message& options,
+                        const google::protobuf::FieldDescriptor& field);
 
 }  // namespace cartographer::common
 

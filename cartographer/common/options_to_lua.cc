@@ -182,4 +182,8 @@ std::string OptionsToLua(const Message& options) {
   return lua + "\n";
 }
 
+std::string OptionToLua(const Message& options, const FieldDescriptor& field) {
+  return OnOneLine(FieldToNode(options, field));
+}
+
 }  // namespace cartographer::common

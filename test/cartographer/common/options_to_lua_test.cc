@@ -87,6 +87,21 @@ TEST(OptionsToLuaTest, WritesReadableLuaInFieldOrder) {
   ExpectRoundTrip(options);
 }
 
+TEST(OptionToLuaTest, WritesOneFieldOnOneLine) {
+  proto::TestOptions options = ValidOptions();
+  const auto field = [&](const char* name) -> const google::protobuf::FieldDescriptor& {
+    return *options.GetDescriptor()->FindFieldByName(name);
+  };
+  EXPECT_EQ(OptionToLua(options, field("roles")), "{}");
+  options.set_title(std::string(120, 'x'));
+  EXPECT_EQ(OptionToLua(options, field("title")), "\"" + std::string(120, 'x') + "\"");
+  options.add_color(1);
+  options.add_color(2);
+  EXPECT_EQ(OptionToLua(options, field("color")), "{ 1, 2 }");
+  options.add_entries()->set_name("only");
+  EXPECT_EQ(OptionToLua(options, field("entries")), "{ { name = \"only\", weight = 0 } }");
+}
+
 TEST(OptionsToLuaTest, BreaksLinesThatGetTooLong) {
   proto::TestOptions options = ValidOptions();
   options.add_entries()->set_name(std::string(120, 'x'));
