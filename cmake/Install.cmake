@@ -1,4 +1,4 @@
-# cmake --install: headers, libraries, the binary, the Lua files and find_package(semantic_kiss).
+# cmake --install: headers, libraries, the binary, the Lua files, the manual, find_package(semantic_kiss).
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/semantic_kiss)
@@ -32,7 +32,14 @@ install(DIRECTORY cartographer semantic_kiss ${PROJECT_BINARY_DIR}/generated/car
                   ${PROJECT_BINARY_DIR}/generated/semantic_kiss
         DESTINATION ${header_dir} FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY proto/ DESTINATION ${data_dir}/proto FILES_MATCHING PATTERN "*.proto")
-install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE ${PROJECT_BINARY_DIR}/manual/options.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_BINARY_DIR}/manual/semantic_kiss.1
+        DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/manual/semantic_kiss.bash RENAME semantic_kiss
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_BINARY_DIR}/manual/_semantic_kiss
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 
 if(TARGET semantic_kiss)
   install(TARGETS semantic_kiss RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -16,6 +16,7 @@ packages=(
   cmake
   fonts-dejavu-core
   g++
+  groff-base
   libabsl-dev
   libbenchmark-dev
   libcairo2-dev

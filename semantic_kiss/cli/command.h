@@ -15,6 +15,7 @@ namespace semantic_kiss::cli {
 struct FlagUse {
   std::string name;
   bool required = false;
+  std::string default_text{};  // where this command's default is another than the flag's
 };
 
 struct OutputFile {

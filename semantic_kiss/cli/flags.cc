@@ -148,6 +148,16 @@ const FlagInfo& FlagNamed(const std::string& name) {
   LOG(FATAL) << "no flag is called " << name;
 }
 
+std::vector<std::string> WordsOfFlag(const std::string& name) {
+  if (name == "route") return {"city", "highway", "loop"};
+  if (name == "lidar") return {"hdl64", "os1_128", "vlp16"};
+  if (name == "labels_dir") return {"none", "predictions"};
+  if (name == "keep_role" || name == "remove_role") {
+    return {"moving", "movable", "critical", "ground", "unlabeled"};
+  }
+  return {};
+}
+
 bool IsGiven(const std::string& flag) {
   return !gflags::GetCommandLineFlagInfoOrDie(flag.c_str()).is_default;
 }

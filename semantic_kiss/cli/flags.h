@@ -88,6 +88,10 @@ const std::vector<FlagInfo>& Flags();
 // The flag called `name`, which must exist (CHECKed: commands name only flags of ours).
 const FlagInfo& FlagNamed(const std::string& name);
 
+// The words that a flag's value may be or begin with, for shells to complete; empty if it is none
+// of a few.
+std::vector<std::string> WordsOfFlag(const std::string& name);
+
 // Whether the command line sets the flag.
 bool IsGiven(const std::string& flag);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "absl/strings/str_cat.h"
-#include "gflags/gflags.h"
+#include "semantic_kiss/cli/flag_text.h"
 #include "semantic_kiss/cli/flags.h"
 
 namespace semantic_kiss::cli {
@@ -30,43 +30,11 @@ std::string Entry(const std::string& term, const std::string& meaning, int colum
   return absl::StrCat("  ", term, text.substr(used), "\n");
 }
 
-const char* Heading(FlagGroup group) {
-  switch (group) {
-    case FlagGroup::kInput:
-      return "Input";
-    case FlagGroup::kSelection:
-      return "Selection";
-    case FlagGroup::kOutput:
-      return "Output";
-    case FlagGroup::kExecution:
-      return "Execution";
-  }
-  return "";
-}
-
-std::string FlagTerm(const FlagInfo& flag) {
-  if (!flag.bare_value.empty()) return absl::StrCat("--", flag.name, "[=", flag.value_name, "]");
-  return flag.value_name.empty() ? absl::StrCat("--", flag.name)
-                                 : absl::StrCat("--", flag.name, "=", flag.value_name);
-}
-
-std::string FlagMeaning(const FlagInfo& flag, bool required) {
-  const auto definition = gflags::GetCommandLineFlagInfoOrDie(flag.name.c_str());
-  std::string fallback = flag.default_text.empty() ? definition.default_value : flag.default_text;
-  if (definition.type == "bool") fallback.clear();
-  if (required) return absl::StrCat(definition.description, " [required]");
-  if (fallback.empty()) return definition.description;
-  return absl::StrCat(definition.description, " [default: ", fallback, "]");
-}
-
 std::string FlagsOfGroup(const Command& command, FlagGroup group, const Terminal& terminal) {
   std::string entries;
-  for (const FlagInfo& flag : Flags()) {
-    if (flag.group != group) continue;
-    for (const FlagUse& use : command.flags) {
-      if (use.name != flag.name) continue;
-      entries += Entry(FlagTerm(flag), FlagMeaning(flag, use.required), 24, TextWidth(terminal));
-    }
+  for (const FlagUse& use : UsesOfGroup(command, group)) {
+    const FlagInfo& flag = FlagNamed(use.name);
+    entries += Entry(FlagTerm(flag), FlagMeaning(flag, use.required), 24, TextWidth(terminal));
   }
   if (entries.empty()) return "";
   return absl::StrCat("\n", Styled(terminal, Style::kBold, Heading(group)), "\n", entries);
@@ -92,22 +60,16 @@ std::string Examples(const Command& command, const Terminal& terminal) {
 }
 
 std::string Usage(const Command& command) {
-  std::string usage = absl::StrCat("semantic_kiss ", command.name);
-  for (const FlagUse& use : command.flags) {
-    if (use.required) absl::StrAppend(&usage, " ", FlagTerm(FlagNamed(use.name)));
-  }
-  return absl::StrCat(usage, " [--flag=value ...]");
+  return absl::StrCat("semantic_kiss ", ShortestUse(command), " [--flag=value ...]");
 }
 
 }  // namespace
 
 std::string OverviewHelp(const std::vector<Command>& commands, const Terminal& terminal) {
-  std::string help = absl::StrCat(
-      Styled(terminal, Style::kBold, "semantic_kiss"), " COMMAND [--flag=value ...]\n\n",
-      Wrapped("LiDAR SLAM that knows what it sees: labeled scans in, a trajectory and a semantic "
-              "map out.",
-              0, TextWidth(terminal)),
-      "\n\n", Styled(terminal, Style::kBold, "Commands"), "\n");
+  std::string help = absl::StrCat(Styled(terminal, Style::kBold, "semantic_kiss"),
+                                  " COMMAND [--flag=value ...]\n\n",
+                                  Wrapped(kProgramSummary, 0, TextWidth(terminal)), "\n\n",
+                                  Styled(terminal, Style::kBold, "Commands"), "\n");
   for (const Command& command : commands) {
     help += Entry(command.name, command.summary, 14, TextWidth(terminal));
   }
@@ -116,19 +78,14 @@ std::string OverviewHelp(const std::vector<Command>& commands, const Terminal& t
       Wrapped("\"semantic_kiss COMMAND --help\" tells all about one; \"semantic_kiss --version\" "
               "prints the version.",
               0, TextWidth(terminal)),
-      "\n\n",
-      Wrapped("Exit codes: 0 done; 1 the input is bad or the run failed, one line says why; 2 the "
-              "command line is wrong; 130 or 143 stopped by Ctrl-C or SIGTERM.",
-              0, TextWidth(terminal)),
-      "\n");
+      "\n\n", Wrapped(absl::StrCat("Exit codes: ", kExitCodes), 0, TextWidth(terminal)), "\n");
   return help;
 }
 
 std::string CommandHelp(const Command& command, const Terminal& terminal) {
   std::string help = absl::StrCat(Styled(terminal, Style::kBold, Usage(command)), "\n\n",
                                   Wrapped(command.description, 0, TextWidth(terminal)), "\n");
-  for (const FlagGroup group :
-       {FlagGroup::kInput, FlagGroup::kSelection, FlagGroup::kOutput, FlagGroup::kExecution}) {
+  for (const FlagGroup group : FlagGroups()) {
     help += FlagsOfGroup(command, group, terminal);
   }
   return absl::StrCat(help, Files(command, terminal), Examples(command, terminal));

@@ -13,8 +13,12 @@
 
 #include "cartographer/common/status.h"
 #include "cartographer/io/atomic_file.h"
+#include "semantic_kiss/cli/commands.h"
+#include "semantic_kiss/cli/version.h"
+#include "semantic_kiss/manual/man_page.h"
 #include "semantic_kiss/manual/option_comments.h"
 #include "semantic_kiss/manual/option_reference.h"
+#include "semantic_kiss/manual/shell_completion.h"
 #include "semantic_kiss/manual/shipped_options.h"
 
 namespace semantic_kiss::manual {
@@ -25,8 +29,16 @@ absl::Status WriteManual(const std::string& descriptors, const std::string& conf
   ASSIGN_OR_RETURN(const OptionComments comments, OptionComments::Read(descriptors));
   ASSIGN_OR_RETURN(const std::vector<OptionTree> trees, LoadShippedOptions(configuration_files));
   ASSIGN_OR_RETURN(const std::string options, OptionReference(trees, comments));
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"options.md", options},
+      {"semantic_kiss.1", ManPage(cli::Commands(), cli::Version())},
+      {"semantic_kiss.bash", BashCompletion(cli::Commands())},
+      {"_semantic_kiss", ZshCompletion(cli::Commands())}};
   std::filesystem::create_directories(output);
-  return cartographer::io::WriteFileAtomically(output + "/options.md", options);
+  for (const auto& [name, content] : files) {
+    RETURN_IF_ERROR(cartographer::io::WriteFileAtomically(output + "/" + name, content));
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace
