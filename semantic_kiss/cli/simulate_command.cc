@@ -1,6 +1,7 @@
 // Copyright 2026 The Semantic KISS Authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -89,6 +90,9 @@ absl::Status RunSimulate() {
   }
   ASSIGN_OR_RETURN(const SimulationOptions options, LoadSimulationOptions());
   ASSIGN_OR_RETURN(const std::unique_ptr<Simulation> drive, Simulation::Create(options));
+  // The picture may be meant to lie beside the scans; what is wrong with the folder they will tell.
+  std::error_code ignored;
+  if (!FLAGS_output.empty()) std::filesystem::create_directories(FLAGS_output, ignored);
   if (!FLAGS_preview.empty()) RETURN_IF_ERROR(Preview(*drive));
   if (!FLAGS_output.empty()) RETURN_IF_ERROR(WriteScans(*drive));
   if (!FLAGS_quiet) {
