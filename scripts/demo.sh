@@ -12,7 +12,7 @@ output=$(realpath -m "${1:-$source/output/demo}")
 dataset=$(realpath -m "${SEMANTIC_KISS_DATA:-$source/../shared/data}/semantickitti")
 cd "$source"
 
-scripts/build.sh release
+scripts/build.sh release semantic_kiss
 semantic_kiss=build/bin/semantic_kiss
 
 run_flags=()
