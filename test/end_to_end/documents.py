@@ -60,8 +60,23 @@ def commands_of(block):
     return commands
 
 
-def mentioned_flags(text):
-    """Flags in `code` within prose: "--labels_dir" of "`--labels_dir=none`"."""
+def code_spans(text):
+    """What stands as `code` within prose."""
     prose = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
-    spans = re.findall(r"`([^`\n]+)`", prose)
-    return {flag for span in spans for flag in re.findall(r"(?<![\w-])--[a-z][a-z_]*", span)}
+    return re.findall(r"`([^`\n]+)`", prose)
+
+
+def mentioned_flags(text):
+    """Flags in code within prose: "--labels_dir" of "`--labels_dir=none`"."""
+    return {flag for span in code_spans(text)
+            for flag in re.findall(r"(?<![\w-])--[a-z][a-z_]*", span)}
+
+
+def mentioned_options(text, short_forms):
+    """Keys of options in code within prose, those that begin with a short form in full."""
+    keys = set()
+    tables = "dataset|map_image|pose_graph|relocalization|report|" + "|".join(short_forms)
+    for span in code_spans(text):
+        for table, rest in re.findall(rf"^({tables})\.([\w.]+)(?: = .*)?$", span):
+            keys.add(f"{short_forms.get(table, table)}.{rest}")
+    return keys

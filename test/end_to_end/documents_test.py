@@ -19,7 +19,7 @@ import sys
 import tempfile
 import unittest
 
-from documents import blocks_of, commands_of, mentioned_flags
+from documents import blocks_of, commands_of, mentioned_flags, mentioned_options
 from program import BINARY, ProgramTest, main, read, write
 from ring import simulate_ring
 
@@ -50,6 +50,13 @@ SHORTENED_LESS = {"--map=": "--num_scans=60"}
 BUILDS = {"scripts/benchmark.sh", "scripts/build.sh", "scripts/demo.sh", "scripts/microbenchmark.sh",
           "scripts/test.sh"}
 STOCK = {"cartographer_pbstream"}  # Cartographer's own program, which is not here
+
+
+# How docs/tuning.md calls two tables of options.
+SHORT_FORMS = {
+    "BUILDER": "local_trajectory_builder.semantic_kiss",
+    "ACCEPTANCE": "pose_graph.verification.acceptance",
+}
 
 
 def documents():
@@ -233,6 +240,18 @@ class DocumentsTest(ProgramTest):
             foreign = mentioned_flags(text) - known
             self.assertEqual(foreign - {"--align", "--project_to_plane"}, set(), name)  # evo's
 
+    def test_every_option_in_prose_exists(self):
+        reference = read(os.path.join(SOURCE, "docs", "options.md")).decode()
+        keys = set(re.findall(r"^(?:- \*\*|### )`([\w.]+)", reference, re.MULTILINE))
+        self.assertGreater(len(keys), 200)
+        found = set()
+        for name, text in documents():
+            options = {option for option in mentioned_options(text, SHORT_FORMS)
+                       if not option.endswith((".html", ".json", ".lua", ".md"))}
+            self.assertEqual(options - keys, set(), name)
+            found |= options
+        self.assertGreater(len(found), 20)
+
 
 class ReadingTest(unittest.TestCase):
     """The reader of documents itself: what it does not see is not tested."""
@@ -249,6 +268,10 @@ class ReadingTest(unittest.TestCase):
 
     def test_flags(self):
         self.assertEqual(mentioned_flags(self.TEXT), {"--z", "--w"})
+
+    def test_options(self):
+        self.assertEqual(mentioned_options("`SHORT.x = 1`, `report.y`, `a.b`, not report.z",
+                                           {"SHORT": "long.one"}), {"long.one.x", "report.y"})
 
 
 if __name__ == "__main__":
