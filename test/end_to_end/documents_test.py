@@ -230,9 +230,16 @@ class DocumentsTest(ProgramTest):
         else:
             self.assertIn(block.language, ("text", "cmake"), f"{block.place}: name the language")
 
+    def commands(self):
+        return re.findall(r"^  (\w+) ", self.succeed("--help"), re.MULTILINE)
+
+    def test_the_readme_lists_the_commands(self):
+        listed = re.findall(r"^\| `(\w+)` \|", dict(documents())["README.md"], re.MULTILINE)
+        self.assertEqual(sorted(listed), sorted(self.commands()))
+
     def test_every_flag_in_prose_exists(self):
         known = {"--help", "--version"}
-        for command in re.findall(r"^  (\w+) ", self.succeed("--help"), re.MULTILINE):
+        for command in self.commands():
             known |= set(re.findall(r"^  (--\w+)", self.succeed(command, "--help"), re.MULTILINE))
         for path in glob.glob(os.path.join(SOURCE, "scripts", "*")):
             known |= set(re.findall(r"--[a-z_]+", read(path).decode()))
