@@ -4,9 +4,12 @@
 #
 # Installs what Semantic KISS is built with, from Debian 12's own packages. Prints nothing and
 # touches nothing if all of it is there. Needs root or sudo only if something is missing.
-#   setup.sh            what building and testing need
-#   setup.sh --browser  besides, the browser in which a test looks at reports; without it that test
-#                       is skipped
+#   setup.sh              what building and testing need
+#   setup.sh --browser    besides, the browser in which a test looks at reports; without it that test
+#                         is skipped
+#   setup.sh --benchmark  besides, what scripts/benchmark.sh needs
+#   setup.sh --slurm      besides, a Slurm for this machine, with which a test tries the benchmark on a
+#                         cluster; without it that test is skipped
 set -euo pipefail
 
 # README.md says what each package is for; keep both lists alike.
@@ -45,8 +48,11 @@ packages=(
 for argument in "$@"; do
   case "$argument" in
     --browser) packages+=(chromium chromium-driver) ;;
+    --benchmark) packages+=(python3-matplotlib snakemake) ;;
+    --slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)
-      echo "scripts/setup.sh: unknown argument $argument (there is --browser)" >&2
+      echo "scripts/setup.sh: unknown argument $argument (there are --browser, --benchmark and" \
+        "--slurm)" >&2
       exit 2
       ;;
   esac
