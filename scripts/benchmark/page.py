@@ -37,7 +37,7 @@ def compose(settings, results, published, pictures):
                    tables.metric_table(systems, table, sequences, published[metric])]
     blocks += [Heading("Where ours loses"), *_losses(systems, metric_tables, sequences)]
     blocks += _ablations(rows, results)
-    blocks += [Heading("Time and memory"), *_cost(settings, systems, main, sequences)]
+    blocks += [Heading("Time and memory"), *_cost(settings, systems, main)]
     if pictures:
         blocks += [Heading("Trajectories, and errors along the way"), Paragraph(
             "All are laid over the true trajectory as a whole, as for ATE-3D.")]
@@ -64,12 +64,26 @@ def _introduction(settings, results):
 
 
 def _losses(systems, metric_tables, sequences):
-    if not {system.ours for system in systems} == {True, False}:
+    """Two tables at most, and how often ours is not worse."""
+    places = [*sequences, "mean"]
+    worse, harmed, compared = [], [], 0
+    for metric, table in metric_tables.items():
+        full = verdict.with_means(table, systems, sequences)
+        compared += verdict.comparisons(systems, full, places)
+        worse += verdict.loss_lines(metric, systems, full, places)
+        harmed += verdict.harm_lines(metric, systems, full, places)
+    if not compared:
         return [Paragraph("There is nothing to compare: the rows are all ours, or none is.")]
-    lines = verdict.sentences(systems, metric_tables, sequences)
-    if not lines:
-        return [Paragraph("Nowhere in these tables.")]
-    return [Items(tuple(lines))]
+    blocks = [Paragraph(
+        f"A column of a table counts twice, for the odometries and for the systems that close loops. "
+        f"Of {compared} such comparisons the best of ours loses {len(worse)} to the best of the "
+        "others.")]
+    if worse:
+        blocks.append(Table(("", "", "better", "", "best of ours", "", "ratio"), tuple(worse)))
+    if harmed:
+        blocks += [Paragraph("Where closing loops makes ours worse than the best of our odometries:"),
+                   Table(("", "", "loops closed", "", "odometry", "ratio"), tuple(harmed))]
+    return blocks
 
 
 def _ablations(rows, results):
@@ -94,31 +108,25 @@ def _ablations(rows, results):
         "is after loops were closed."), tables.ablation_table(ablations, columns)]
 
 
-def _cost(settings, systems, results, sequences):
-    def per_scan(result):
-        return 1000 * result.record["cpu_s"] / result.record["scans"]
-
-    def odometry(result):
-        return result.record["stage_median_ms"].get("odometry")
-
+def _cost(settings, systems, results):
     lines = []
-    times, medians = results_module.figures(results, per_scan), results_module.figures(results, odometry)
     for system in systems:
-        memory = [result.record["peak_memory_mib"] for result in results
-                  if result.cell.system == system.name]
-        closures = [result.record["closures"] for result in results
-                    if result.cell.system == system.name]
-        wrong = [result.record["false_closures"] or 0 for result in results
-                 if result.cell.system == system.name]
-        lines.append((f"`{system.name}`",
-                      tables.number(results_module.mean_over(times, system.name, sequences), 1),
-                      tables.number(results_module.mean_over(medians, system.name, sequences), 1),
-                      tables.number(max(memory), 0),
-                      f"{sum(closures)}, {sum(wrong)}" if system.closes_loops else tables.NONE))
-    header = ("", "processor ms a scan", "odometry, median ms", "peak MiB", "closures, false")
-    note = ("Processor time is that of the whole program, reading, map and pictures included, by "
-            "scans; means over the sequences. Peak memory is the largest of all. One run used "
-            f"{settings['threads']} thread(s). " + settings.get("note", ""))
+        records = [result.record for result in results if result.cell.system == system.name]
+        scans = sum(record["scans"] for record in records)
+        medians = [record["stage_median_ms"].get("odometry") for record in records]
+        closures = [sum(record[key] or 0 for record in records)
+                    for key in ("closures", "false_closures")]
+        lines.append((
+            f"`{system.name}`",
+            tables.number(1000 * sum(record["cpu_s"] for record in records) / scans, 1),
+            tables.number(results_module.mean(medians), 1),
+            tables.number(max(record["peak_memory_mib"] for record in records), 0),
+            f"{closures[0]}, {closures[1]}" if system.closes_loops else tables.NONE))
+    note = ("Processor time is that of the whole program (reading, map and pictures included) by "
+            "scans. The odometry's is time on the clock, the mean over the sequences of the median "
+            "scan. Memory is the largest of all. One run used "
+            f"{settings['threads']} thread(s). {settings.get('note', '')}")
+    header = ("", "processor ms a scan", "odometry, ms a scan", "peak MiB", "closures, false")
     return [Paragraph(note.strip()), Table(header, tuple(lines))]
 
 

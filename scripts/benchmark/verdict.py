@@ -54,21 +54,26 @@ def with_means(table, systems, sequences):
     return {**table, **means}
 
 
-def sentences(systems, tables, sequences):
-    """A line for each kind of loss. `tables` maps a metric to its table."""
-    lines = []
-    for metric, table in tables.items():
-        full = with_means(table, systems, sequences)
-        places = [*sequences, "mean"]
-        for sequence, (ours, own), (theirs, other) in losses(systems, full, places):
-            lines.append(f"{NAMES[metric]}, {_place(sequence)}: `{other.name}` has {theirs:.3f} "
-                         f"{UNITS[metric]}, the best of ours, `{own.name}`, {ours:.3f} "
-                         f"({100 * (ours / theirs - 1):.0f} % more).")
-        for sequence, after, system, before in loop_closure_harms(systems, full, places):
-            lines.append(f"{NAMES[metric]}, {_place(sequence)}: closing loops makes it worse: "
-                         f"`{system.name}` has {after:.3f} {UNITS[metric]}, the odometry {before:.3f}.")
-    return lines
+def comparisons(systems, table, sequences):
+    """How many columns of the table have figures of ours and of others, so that someone wins."""
+    count = 0
+    for closes_loops in (False, True):
+        members = [system for system in systems if system.closes_loops == closes_loops]
+        for sequence in sequences:
+            count += all(_best([s for s in members if s.ours == ours], table, sequence)
+                         for ours in (True, False))
+    return count
 
 
-def _place(sequence):
-    return "in the mean" if sequence == "mean" else f"on {sequence}"
+def loss_lines(metric, systems, table, sequences):
+    """Texts for a table: metric, sequence, who is better, by which figure, ours, ratio."""
+    return [(f"{NAMES[metric]}, {UNITS[metric]}", sequence, f"`{other.name}`", f"{theirs:.3f}",
+             f"`{own.name}`", f"{ours:.3f}", f"{ours / theirs:.2f}" if theirs else "")
+            for sequence, (ours, own), (theirs, other) in losses(systems, table, sequences)]
+
+
+def harm_lines(metric, systems, table, sequences):
+    """Texts for a table: metric, sequence, which system, its figure, the odometry's, ratio."""
+    return [(f"{NAMES[metric]}, {UNITS[metric]}", sequence, f"`{system.name}`", f"{after:.3f}",
+             f"{before:.3f}", f"{after / before:.2f}" if before else "")
+            for sequence, after, system, before in loop_closure_harms(systems, table, sequences)]
