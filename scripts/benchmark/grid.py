@@ -84,12 +84,11 @@ def _chosen(rows, names, ablation):
     return [rows[name] for name in (there if names is None else names)]
 
 
-def _single(rows, text):
-    """The cell of `SYSTEM/SEQUENCE` or `SYSTEM/SEQUENCE/SEED`."""
+def single_cell(text):
+    """The cell that SYSTEM/SEQUENCE or SYSTEM/SEQUENCE/SEED names."""
     words = text.split("/")
-    if len(words) not in (2, 3) or words[0] not in rows or not words[-1]:
-        raise SettingsError(f"{text} is no cell; write SYSTEM/SEQUENCE, where SYSTEM is one of "
-                            f"{', '.join(rows)}")
+    if len(words) not in (2, 3) or not all(words) or not words[-1].isalnum():
+        raise SettingsError(f"{text} is no cell; write SYSTEM/SEQUENCE or SYSTEM/SEQUENCE/SEED")
     return Cell(words[0], sequence_name(words[1]), int(words[2]) if len(words) == 3 else 0)
 
 
@@ -97,7 +96,10 @@ def cells(settings):
     """All cells, sequence by sequence, so that a drive can go as soon as possible."""
     rows, only = systems(settings), settings.get("only") or {}
     if only.get("cell"):
-        return [_single(rows, only["cell"])]
+        cell = single_cell(only["cell"])
+        if cell.system not in rows:
+            raise SettingsError(f"there is no {cell.system}; there are {', '.join(rows)}")
+        return [cell]
     wanted = (_chosen(rows, only.get("systems"), False) + _chosen(rows, only.get("ablations"), True))
     wide = [sequence_name(s) for s in settings["sequences"]]
     narrow = [sequence_name(s) for s in settings.get("ablation_sequences") or []]
@@ -118,23 +120,23 @@ def drive(settings, cell):
     return Drive(cell.sequence, cell.seed, float(noise))
 
 
-def ready_made(settings, drive):
+def ready_made(settings, wanted):
     """Whether the drive lies ready in the folder `drives` of the settings."""
-    return (drive.sequence in settings.get("ready_sequences", []) and drive.seed == 0
-            and drive.label_noise == settings["simulation"]["label_noise"])
+    return (wanted.sequence in settings.get("ready_sequences", []) and wanted.seed == 0
+            and wanted.label_noise == settings["simulation"]["label_noise"])
 
 
 def drives_to_simulate(settings):
     """Drives in the order in which they are simulated."""
     wanted = dict.fromkeys(drive(settings, cell) for cell in cells(settings))
-    return [drive for drive in wanted if not ready_made(settings, drive)]
+    return [one for one in wanted if not ready_made(settings, one)]
 
 
-def cells_before(settings, drive_):
+def cells_before(settings, wanted):
     """The cells that have to be done before a drive may be simulated, lest too many drives stand
     on the disk: those of the drive that comes `standing_drives` earlier."""
     order = drives_to_simulate(settings)
-    earlier = order.index(drive_) - int(settings["standing_drives"])
+    earlier = order.index(wanted) - int(settings["standing_drives"])
     if earlier < 0:
         return []
     return [cell for cell in cells(settings) if drive(settings, cell) == order[earlier]]

@@ -11,6 +11,8 @@ import os
 import subprocess
 import sys
 
+import grid
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 EXAMPLES = """examples:
@@ -60,6 +62,7 @@ def parser():
     flags.add_argument("--threads", type=int, metavar="N", help="of one run")
     flags.add_argument("--standing_drives", type=int, metavar="N",
                        help="simulated drives on the disk at once")
+    flags.add_argument("--note", metavar="TEXT", help="what the page says beside times")
     flags.add_argument("--binary", metavar="FILE", help="the program, if not the one of this tree")
     flags.add_argument("--slurm", action="store_true", help="jobs on a Slurm cluster")
     return flags
@@ -68,7 +71,7 @@ def parser():
 def command_line_settings(arguments):
     """The keys of settings.yaml that flags say otherwise."""
     keys = ("sequences", "ablation_sequences", "seeds", "first_scan", "num_scans", "threads",
-            "standing_drives")
+            "standing_drives", "note")
     changes = {key: getattr(arguments, key) for key in keys if getattr(arguments, key) is not None}
     for key in ("dataset", "poses", "drives"):
         value = getattr(arguments, key)
@@ -111,6 +114,16 @@ def snakemake(arguments, rest):
     return words + rest
 
 
+def outcome(arguments):
+    """What to look at: the figures of a single cell, or the page."""
+    if not arguments.cell:
+        return f"Look at {arguments.output}/page/index.html"
+    cell = grid.single_cell(arguments.cell)
+    with open(os.path.join(arguments.output, cell.folder, "cell.json"), encoding="utf-8") as file:
+        metrics = json.load(file)["metrics"]
+    return f"{arguments.cell}: " + ", ".join(f"{key} {value}" for key, value in metrics.items())
+
+
 def main():
     arguments, rest = parser().parse_known_args()
     arguments.output = os.path.abspath(arguments.output)
@@ -128,7 +141,10 @@ def main():
     os.makedirs(arguments.output, exist_ok=True)
     with open(os.path.join(arguments.output, "settings.json"), "w", encoding="utf-8") as file:
         json.dump(settings, file, indent=1)
-    return subprocess.run(snakemake(arguments, rest), check=False).returncode
+    status = subprocess.run(snakemake(arguments, rest), check=False).returncode
+    if status == 0 and not {"-n", "--dry-run"} & set(rest):
+        print(outcome(arguments))
+    return status
 
 
 if __name__ == "__main__":

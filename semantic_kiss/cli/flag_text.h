@@ -28,7 +28,7 @@ const char* Heading(FlagGroup group);
 std::string FlagTerm(const FlagInfo& flag);
 
 // Description, and in brackets that it is required or what it is by default.
-std::string FlagMeaning(const FlagInfo& flag, bool required);
+std::string FlagMeaning(const FlagInfo& flag, const FlagUse& use);
 
 // The uses of a command that belong to a group, in the order of Flags().
 std::vector<FlagUse> UsesOfGroup(const Command& command, FlagGroup group);

@@ -34,7 +34,7 @@ std::string FlagsOfGroup(const Command& command, FlagGroup group, const Terminal
   std::string entries;
   for (const FlagUse& use : UsesOfGroup(command, group)) {
     const FlagInfo& flag = FlagNamed(use.name);
-    entries += Entry(FlagTerm(flag), FlagMeaning(flag, use.required), 24, TextWidth(terminal));
+    entries += Entry(FlagTerm(flag), FlagMeaning(flag, use), 24, TextWidth(terminal));
   }
   if (entries.empty()) return "";
   return absl::StrCat("\n", Styled(terminal, Style::kBold, Heading(group)), "\n", entries);

@@ -63,7 +63,7 @@ Command MergeCommand() {
       "Searches for places that both maps show, ties them by loop closures, and writes one map "
       "with the trajectories of both, in the frame of the first. Neither needs to know where the "
       "other is. Fails if nothing joins them.";
-  command.flags = {{"map", true}, {"other_map", true}, {"config"},
+  command.flags = {{"map", true}, {"other_map", true}, {"config", false, "semantic_kiss_6dof.lua"},
                    {"threads"},   {"quiet"},           {"output", true}};
   command.examples = {{"Two drives of one town",
                        "merge --map=monday.pbstream --other_map=tuesday.pbstream "

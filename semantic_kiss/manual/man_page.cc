@@ -42,7 +42,7 @@ std::string FlagsOf(const Command& command) {
     if (!uses.empty()) absl::StrAppend(&text, ".PP\n.I ", cli::Heading(group), "\n");
     for (const cli::FlagUse& use : uses) {
       const cli::FlagInfo& flag = cli::FlagNamed(use.name);
-      absl::StrAppend(&text, Entry(cli::FlagTerm(flag), cli::FlagMeaning(flag, use.required)));
+      absl::StrAppend(&text, Entry(cli::FlagTerm(flag), cli::FlagMeaning(flag, use)));
     }
   }
   return text;

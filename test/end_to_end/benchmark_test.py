@@ -64,10 +64,24 @@ class BenchmarkTest(ProgramTest):
             self.assertAlmostEqual(float(row["ate_3d_m"]), run["metrics"]["ate_3d_m"], places=4)
             self.assertLess(float(row["ate_3d_m"]), 0.5)
         self.check_page()
+        self.check_drawn_errors(rows)
         # Both drives were made, one after the other, and are gone.
         left = [files for _, _, files in os.walk(self.path("out", "drives")) if files]
         self.assertEqual(left, [])
         self.check_resumption(rows)
+
+    def check_drawn_errors(self, rows):
+        """What is drawn along the way has the root mean square that the program calls ATE-3D."""
+        script = ("import sys; sys.path.insert(0, sys.argv[1]); import trajectories as t\n"
+                  "e, h = t.errors(*map(t.read_positions, sys.argv[2:]))\n"
+                  "print((e ** 2).mean() ** 0.5, abs(h).max() <= e.max())")
+        run = self.path("out", "runs", "kiss_icp", "04", "0")
+        answer = subprocess.run(
+            ["/usr/bin/python3", "-B", "-c", script, os.path.join(SOURCE, "scripts", "benchmark"),
+             os.path.join(run, "trajectory_kitti.txt"), os.path.join(run, "truth_kitti.txt")],
+            check=True, capture_output=True, text=True).stdout.split()
+        self.assertAlmostEqual(float(answer[0]), float(rows["kiss_icp"]["ate_3d_m"]), places=6)
+        self.assertEqual(answer[1], "True")
 
     def check_page(self):
         text = read(self.path("out", "page"), "README.md").decode()
@@ -100,7 +114,8 @@ class BenchmarkTest(ProgramTest):
                                     "CI": "true"})  # asks every second, not every ten
         logs = [name for name in os.listdir(self.path("cluster")) if name.startswith("slurm-")]
         self.assertEqual(len(logs), 6)  # two drives, three cells, a page
-        self.benchmark("--cell=true_labels/04", output="here")
+        self.assertIn("true_labels/04: rte_percent None, rte_deg_per_m None, ate_3d_m 0.",
+                      self.benchmark("--cell=true_labels/04", output="here"))
         one, other = (json.loads(read(self.path(output, "runs/true_labels/04/0"), "cell.json"))
                       for output in ("cluster", "here"))
         self.assertEqual(one["metrics"], other["metrics"])

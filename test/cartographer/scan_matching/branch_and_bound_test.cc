@@ -193,9 +193,11 @@ TEST_P(BranchAndBoundTest, ASharedBoundNeverChangesTheWinner) {
     const RandomScene scan_scene(1, 1, 5, 1.5, &random);
     const MatchingScan scan(scan_scene.cloud, model);
     std::vector<std::shared_ptr<const SubmapMatcher>> matchers;
+    std::vector<SearchArea> areas;
     for (int submap = 0; submap < 6; ++submap) {
       const RandomScene scene(20, 50 + 50 * (submap % 4), 1, 1., &random);
       matchers.push_back(std::make_shared<const SubmapMatcher>(scene.grid, model));
+      areas.push_back({matchers.back(), std::nullopt});
     }
     size_t best = 0;
     std::vector<std::optional<Match>> alone;
@@ -207,7 +209,7 @@ TEST_P(BranchAndBoundTest, ASharedBoundNeverChangesTheWinner) {
     if (!alone[best].has_value()) continue;
     for (const int num_threads : {1, 2, 8}) {
       const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, num_threads);
-      const auto together = MatchInAny({matchers.begin(), matchers.end()}, scan, 0.);
+      const auto together = MatchInAny(areas, scan, 0.);
       ASSERT_TRUE(together.has_value());
       EXPECT_EQ(together->index, best);
       EXPECT_EQ(together->match.score, alone[best]->score);
