@@ -27,5 +27,5 @@ def is_done(settings, cell, output="."):
             record = json.load(file)
     except (FileNotFoundError, json.JSONDecodeError):
         return False
-    return (record["flags"] == commands.run(settings, cell, "DATASET", "OUTPUT")
-            and record["drive_flags"] == drive_flags(settings, cell))
+    return (record.get("flags") == commands.run(settings, cell, "DATASET", "OUTPUT")
+            and record.get("drive_flags") == drive_flags(settings, cell))

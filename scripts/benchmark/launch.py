@@ -104,7 +104,7 @@ def snakemake(arguments, rest):
              "--directory", arguments.output, "--configfile", os.path.join(HERE, "settings.yaml"),
              *map(os.path.abspath, arguments.settings),
              os.path.join(arguments.output, "settings.json"),
-             "--rerun-incomplete", "--rerun-triggers", "mtime", "params"]
+             "--rerun-incomplete", "--rerun-triggers", "mtime"]
     if arguments.slurm:
         words += ["--profile", os.path.join(HERE, "profiles", "slurm")]
     elif not [word for word in rest if word.startswith(("--cores", "-c", "-j", "--jobs"))]:

@@ -17,6 +17,9 @@ TITLES = {
     "ate_2d_m": "ATE-2D, m (error in the plane)",
 }
 
+# Where a scan is registered, by the builders' names for it: the odometry's, and the planar one's.
+ODOMETRY_STAGES = ("odometry", "filters", "matching")
+
 
 def compose(settings, results, published, pictures):
     """The blocks of the page.
@@ -113,7 +116,8 @@ def _cost(settings, systems, results):
     for system in systems:
         records = [result.record for result in results if result.cell.system == system.name]
         scans = sum(record["scans"] for record in records)
-        medians = [record["stage_median_ms"].get("odometry") for record in records]
+        medians = [sum(record["stage_median_ms"].get(stage, 0) for stage in ODOMETRY_STAGES)
+                   for record in records]
         closures = [sum(record[key] or 0 for record in records)
                     for key in ("closures", "false_closures")]
         lines.append((

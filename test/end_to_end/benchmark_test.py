@@ -103,6 +103,9 @@ class BenchmarkTest(ProgramTest):
         for name, path in cells.items():
             self.assertEqual(os.stat(path).st_mtime_ns == times[name], name != "kiss_icp", name)
         self.assertEqual(self.rows()["kiss_icp"]["ate_3d_m"], rows["kiss_icp"]["ate_3d_m"])
+        # Of another length every record tells of other flags.
+        self.benchmark(f"--num_scans={SCANS + 1}")
+        self.assertEqual({row["scans"] for row in self.rows().values()}, {str(SCANS + 1)})
 
     @unittest.skipUnless(HAS_SLURM, "Slurm is not installed: scripts/setup.sh --slurm")
     def test_slurm_comes_to_the_same(self):
