@@ -5,6 +5,8 @@
 import results as results_module
 
 NAMES = {"rte_percent": "RTE", "ate_3d_m": "ATE-3D", "ate_2d_m": "ATE-2D"}
+# What is equal as far as tables show it is a draw.
+DIGITS = 3
 UNITS = {"rte_percent": "%", "ate_3d_m": "m", "ate_2d_m": "m"}
 
 
@@ -13,6 +15,10 @@ def _best(systems, table, sequence):
     there = [(table[(system.name, sequence)], system) for system in systems
              if table.get((system.name, sequence)) is not None]
     return min(there, key=lambda pair: pair[0], default=None)
+
+
+def _less(one, other):
+    return round(one, DIGITS) < round(other, DIGITS)
 
 
 def losses(systems, table, sequences):
@@ -27,7 +33,7 @@ def losses(systems, table, sequences):
         for sequence in sequences:
             ours = _best([s for s in members if s.ours], table, sequence)
             others = _best([s for s in members if not s.ours], table, sequence)
-            if ours and others and others[0] < ours[0]:
+            if ours and others and _less(others[0], ours[0]):
                 found.append((sequence, ours, others))
     return found
 
@@ -42,7 +48,7 @@ def loop_closure_harms(systems, table, sequences):
         before = _best(odometries, table, sequence)
         for system in closing:
             after = table.get((system.name, sequence))
-            if before and after is not None and after > before[0]:
+            if before and after is not None and _less(before[0], after):
                 found.append((sequence, after, system, before[0]))
     return found
 
