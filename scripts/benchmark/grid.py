@@ -24,6 +24,7 @@ class System:
     ablation: bool = False
     label_noise: float | None = None  # None: as the settings have it for all
     labels_dir: str = ""  # "": the drive's own
+    same_as: str = ""  # the system whose cells these are; "": its own
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,10 +59,11 @@ def sequence_name(sequence):
 
 def _system(name, entry, ablation):
     unknown = set(entry) - {field.name for field in dataclasses.fields(System)}
-    if unknown or "config" not in entry:
-        raise SettingsError(f"{name}: {', '.join(sorted(unknown)) or 'config'} "
-                            f"{'is no key of a system' if unknown else 'is missing'}")
-    return System(name=name, ablation=ablation, **{"title": name, **entry})
+    if unknown:
+        raise SettingsError(f"{name}: {', '.join(sorted(unknown))} is no key of a system")
+    if ("config" in entry) == ("same_as" in entry):
+        raise SettingsError(f"{name}: needs either config or same_as")
+    return System(name=name, ablation=ablation, **{"title": name, "config": "", **entry})
 
 
 def systems(settings):
@@ -72,6 +74,8 @@ def systems(settings):
             if name in rows:
                 raise SettingsError(f"{name} is the name of a system and of an ablation")
             rows[name] = _system(name, entry, ablation)
+            if rows[name].same_as and rows[name].same_as not in settings["systems"]:
+                raise SettingsError(f"{name}: there is no system {rows[name].same_as}")
     return rows
 
 
@@ -104,12 +108,13 @@ def cells(settings):
     wide = [sequence_name(s) for s in settings["sequences"]]
     narrow = [sequence_name(s) for s in settings.get("ablation_sequences") or []]
     simulated = bool(settings.get("poses"))
-    return [Cell(row.name, sequence, seed)
-            for sequence in dict.fromkeys(wide + narrow)
-            for seed in range(int(settings["seeds"]))
-            for row in wanted
-            if sequence in (narrow if row.ablation else wide)
-            and (simulated or row.label_noise is None)]
+    return list(dict.fromkeys(
+        Cell(row.same_as or row.name, sequence, seed)
+        for sequence in dict.fromkeys(wide + narrow)
+        for seed in range(int(settings["seeds"]))
+        for row in wanted
+        if sequence in (narrow if row.ablation else wide)
+        and (simulated or row.label_noise is None)))
 
 
 def drive(settings, cell):

@@ -135,13 +135,15 @@ def _cost(settings, systems, results):
 
 
 def _provenance(settings, results):
+    rows = grid.systems(settings)
+    results = [result for result in results if not rows[result.cell.system].same_as]
     versions = collections.Counter(
         (result.record["version"], result.record["binary_sha256"][:12]) for result in results)
     configurations = {(result.cell.system, result.record["config_sha256"][:12])
                       for result in results}
     # Hashes in the order of the rows.
-    order = list(grid.systems(settings))
-    lines = [(f"`{name}`", f"`{digest}`", f"`{grid.systems(settings)[name].config}`")
+    order = list(rows)
+    lines = [(f"`{name}`", f"`{digest}`", f"`{rows[name].config}`")
              for name, digest in sorted(configurations, key=lambda pair: order.index(pair[0]))]
     seeds = sorted({result.cell.seed for result in results})
     programs = "; ".join(f"version {version}, binary `{digest}`, {count} cells"
@@ -171,9 +173,10 @@ def _everything(settings):
 
 def _one_cell(settings, results):
     """The commands for the last cell of the grid; others differ by name."""
+    rows = grid.systems(settings)
     cell = results[-1].cell
     for result in results:
-        if grid.systems(settings)[result.cell.system].ours:
+        if rows[result.cell.system].ours:
             cell = result.cell
     short = " ".join(["scripts/benchmark.sh", _source(settings), "--output=output/one",
                       f"--cell={cell.system}/{cell.sequence}/{cell.seed}"])

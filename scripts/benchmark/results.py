@@ -33,9 +33,19 @@ def read(output, settings):
         if system in rows:
             with open(path, encoding="utf-8") as file:
                 found.append(Result(grid.Cell(system, sequence, int(seed)), json.load(file)))
+    found += _borrowed(found, settings)
     order = list(rows)
     return sorted(found, key=lambda result: (order.index(result.cell.system), result.cell.sequence,
                                              result.cell.seed))
+
+
+def _borrowed(results, settings):
+    """The cells of ablations that are the same as a system, for the ablations' sequences."""
+    narrow = [grid.sequence_name(name) for name in settings.get("ablation_sequences") or []]
+    return [Result(dataclasses.replace(result.cell, system=row.name), result.record)
+            for row in grid.systems(settings).values() if row.same_as
+            for result in results
+            if result.cell.system == row.same_as and result.cell.sequence in narrow]
 
 
 def sequences(results):

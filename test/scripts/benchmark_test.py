@@ -4,10 +4,12 @@
 """The benchmark's grid, tables, verdict and page, against oracles that look at every pair."""
 
 import csv
+import json
 import pathlib
 import random
 import re
 import sys
+import tempfile
 import unittest
 
 BENCHMARK = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "benchmark"
@@ -82,9 +84,19 @@ class GridTest(unittest.TestCase):
             with self.assertRaises(grid.SettingsError):
                 grid.cells(settings(only=wrong))
 
+    def test_what_is_the_same_is_run_once(self):
+        ablations = {"full": {"same_as": "mine", "title": "all of it"}}
+        chosen = settings(ablations=ablations, ablation_sequences=["07", "09"])
+        cells = grid.cells(chosen)
+        self.assertEqual(len(cells), len(set(cells)))
+        self.assertNotIn("full", {cell.system for cell in cells})
+        self.assertIn(grid.Cell("mine", "09", 0), cells)
+        self.assertNotIn(grid.Cell("plain", "09", 0), cells)
+
     def test_wrong_settings(self):
         for systems in ({"a": {}}, {"a": {"config": "a.lua", "our": True}},
-                        {"no_labels": {"config": "a.lua"}}):
+                        {"no_labels": {"config": "a.lua"}}, {"a": {"same_as": "b"}},
+                        {"a": {"config": "a.lua", "same_as": "a"}}):
             with self.assertRaises(grid.SettingsError):
                 grid.systems(settings(systems=systems))
 
@@ -150,6 +162,18 @@ class TablesTest(unittest.TestCase):
         results = [result("mine", "00", 1.0), result("mine", "00", 2.0, seed=1)]
         figures = results_module.figures(results, lambda r: r.metric("rte_percent"))
         self.assertEqual(figures, {("mine", "00"): 1.5})
+
+    def test_records_are_read_and_borrowed(self):
+        chosen = settings(ablations={"full": {"same_as": "mine"}})
+        with tempfile.TemporaryDirectory() as output:
+            for cell, scans in ((grid.Cell("mine", "00", 0), 5), (grid.Cell("mine", "07", 0), 7),
+                                (grid.Cell("stranger", "07", 0), 9)):
+                folder = pathlib.Path(output, cell.folder)
+                folder.mkdir(parents=True)
+                (folder / "cell.json").write_text(json.dumps({"scans": scans}))
+            self.assertEqual([(r.cell.system, r.cell.sequence, r.record["scans"])
+                              for r in results_module.read(output, chosen)],
+                             [("mine", "00", 5), ("mine", "07", 7), ("full", "07", 7)])
 
     def test_published_figures_do_not_compete(self):
         rows = [published.Row("Theirs", True, "a paper", {"00": 0.001, "mean": 0.5})]
