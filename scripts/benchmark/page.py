@@ -63,7 +63,20 @@ def _introduction(settings, results):
     if cut:
         blocks.append(Paragraph("**Thinned:** " + ", ".join(
             f"of {sequence} the first {scans} scans alone" for sequence, scans in cut) + "."))
+    missing = _not_run(results)
+    if missing:
+        blocks.append(Paragraph(f"**Not run yet** (shown as {tables.NONE}, and without a mean): "
+                                f"{missing}."))
     return blocks
+
+
+def _not_run(results):
+    """Which systems lack which of the sequences that others have; empty if none does."""
+    there = {(result.cell.system, result.cell.sequence) for result in results}
+    sequences = results_module.sequences(results)
+    lacks = {name: [sequence for sequence in sequences if (name, sequence) not in there]
+             for name in dict.fromkeys(result.cell.system for result in results)}
+    return "; ".join(f"`{name}` on {', '.join(missing)}" for name, missing in lacks.items() if missing)
 
 
 def _losses(systems, metric_tables, sequences):

@@ -242,6 +242,12 @@ class PageTest(unittest.TestCase):
                       "semantic_kiss simulate --poses=DIR/poses/00.txt", "`cccccccccccc`"):
             self.assertIn(words, text)
 
+    def test_what_is_missing(self):
+        results = [result("mine", "00", 1.0), result("mine", "07", 1.0), result("plain", "00", 1.0)]
+        text = markdown.write(self.compose(results))
+        self.assertIn("(shown as –, and without a mean): `plain` on 07.", text)
+        self.assertNotIn("Not run", markdown.write(self.compose(results[:1])))
+
     def test_a_single_cell_is_enough(self):
         text = markdown.write(self.compose([result("plain", "00", None)], poses="", dataset="/d"))
         self.assertIn("There is nothing to compare", text)
