@@ -12,7 +12,7 @@ from matplotlib import ticker  # noqa: E402
 import trajectories  # noqa: E402
 
 # Ours are solid, the baselines dashed; colours that differ in brightness, too.
-COLOURS = ["#8a939b", "#d08a1e", "#4aa564", "#2b6cb0", "#1f7a3d", "#7b3fa0", "#c0262d", "#000000"]
+COLOURS = ["#8a939b", "#d08a1e", "#4aa564", "#2b6cb0", "#333333", "#7b3fa0", "#c0262d", "#0a7d8c"]
 DPI = 90
 
 

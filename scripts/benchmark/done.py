@@ -29,3 +29,11 @@ def is_done(settings, cell, output="."):
         return False
     return (record.get("flags") == commands.run(settings, cell, "DATASET", "OUTPUT")
             and record.get("drive_flags") == drive_flags(settings, cell))
+
+
+def drop_outdated(settings, output="."):
+    """Removes the records of cells that were run with other flags, so that they are run again."""
+    for cell in grid.cells(settings):
+        path = os.path.join(output, cell.folder, "cell.json")
+        if os.path.exists(path) and not is_done(settings, cell, output):
+            os.remove(path)
