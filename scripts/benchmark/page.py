@@ -63,6 +63,7 @@ def _introduction(settings, results):
     if cut:
         blocks.append(Paragraph("**Thinned:** " + ", ".join(
             f"of {sequence} the first {scans} scans alone" for sequence, scans in cut) + "."))
+    blocks += [Paragraph(text) for text in settings.get("remarks") or []]
     missing = _not_run(results)
     if missing:
         blocks.append(Paragraph(f"**Not run yet** (shown as {tables.NONE}, and without a mean): "

@@ -235,8 +235,8 @@ class PageTest(unittest.TestCase):
         results = [result(name, "00", 0.5 + i) for i, name in enumerate(settings()["systems"])]
         results.append(result("no_labels", "07", 0.25))
         results[0].record.update(scans=9)
-        text = markdown.write(self.compose(results, commit="abc"))
-        for words in ("Simulated drives", "of 00 the first 9 scans", "Where ours loses",
+        text = markdown.write(self.compose(results, commit="abc", remarks=["Mark this."]))
+        for words in ("Simulated drives", "Mark this.", "of 00 the first 9 scans", "Where ours loses",
                       "| `plain` | 0.500 | `mine` | 1.500 | 3.00 |", "Of 12 such comparisons", "| none | 0.250", "![Sequence 00](00.png)",
                       "Commit `abc`", "--cell=mine_closing/00/0",
                       "semantic_kiss simulate --poses=DIR/poses/00.txt", "`cccccccccccc`"):
