@@ -114,10 +114,14 @@ Command FilterCommand() {
       "and the clouds of nodes are treated alike, what lies beneath the removed shows, and the "
       "copy's history tells what is missing. docs/maps.md has the details.\n\n"
       "Coordinates are those of the map in metres: x forward at its start, y left.";
-  command.flags = {{"map", true}, {"config", false, "filter.lua"},           {"remove"},   {"remove_role"},
-                   {"keep"},      {"keep_role"},        {"polygon"},  {"box"},
-                   {"outside"},   {"trajectory"},       {"min_hits"}, {"keep_trajectory"},
-                   {"quiet"},     {"remove_transient"}, {"threads"},  {"output", true}};
+  command.flags = {{"map", true}, {"config", false, "filter.lua"},
+                   {"remove"},    {"remove_role"},
+                   {"keep"},      {"keep_role"},
+                   {"polygon"},   {"box"},
+                   {"outside"},   {"trajectory"},
+                   {"min_hits"},  {"keep_trajectory"},
+                   {"quiet"},     {"remove_transient"},
+                   {"threads"},   {"output", true}};
   command.examples = {
       {"A map of what will still be there tomorrow",
        "filter --map=map.pbstream --output=lasting.pbstream --remove_role=movable"},

@@ -191,9 +191,18 @@ Command RelocalizeCommand() {
       "given up (lost), and the search begins anew. The map stays as it is.\n\n"
       "The map of another day serves best without what may have left since: see `filter "
       "--remove_role=movable`.";
-  command.flags = {{"map", true},  {"config", false, "relocalize.lua"},       {"dataset", true},    {"sequence"},
-                   {"labels_dir"}, {"ground_truth"}, {"map_ground_truth"}, {"initial_pose"},
-                   {"first_scan"}, {"num_scans"},    {"output", true},     {"threads"},
+  command.flags = {{"map", true},
+                   {"config", false, "relocalize.lua"},
+                   {"dataset", true},
+                   {"sequence"},
+                   {"labels_dir"},
+                   {"ground_truth"},
+                   {"map_ground_truth"},
+                   {"initial_pose"},
+                   {"first_scan"},
+                   {"num_scans"},
+                   {"output", true},
+                   {"threads"},
                    {"quiet"}};
   command.files = {
       {"relocalization_kitti.txt",

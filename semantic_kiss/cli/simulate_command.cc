@@ -125,10 +125,24 @@ Command SimulateCommand() {
       "Points are deskewed and carry KITTI's vertical error of 0.205 degrees, as KITTI's do; "
       "--raw leaves them as measured and adds their times. Scans that are there already are kept, "
       "so an interrupted run may be repeated. docs/simulation.md explains the model.";
-  command.flags = {{"config", false, "simulation.lua"},       {"route"},       {"poses"},        {"length"}, {"seed"},
-                   {"epoch"},        {"lane_offset"}, {"speed_factor"}, {"lidar"},  {"num_scans"},
-                   {"sequence"},     {"output"},      {"label_noise"},  {"raw"},    {"preview"},
-                   {"preview_scan"}, {"threads"},     {"quiet"}};
+  command.flags = {{"config", false, "simulation.lua"},
+                   {"route"},
+                   {"poses"},
+                   {"length"},
+                   {"seed"},
+                   {"epoch"},
+                   {"lane_offset"},
+                   {"speed_factor"},
+                   {"lidar"},
+                   {"num_scans"},
+                   {"sequence"},
+                   {"output"},
+                   {"label_noise"},
+                   {"raw"},
+                   {"preview"},
+                   {"preview_scan"},
+                   {"threads"},
+                   {"quiet"}};
   command.files = {
       {"sequences/NN/velodyne/*.bin", "Points: x, y, z, remission; float32."},
       {"sequences/NN/labels/*.label", "Label and, for what can be counted, instance; uint32."},
