@@ -173,7 +173,7 @@ def _provenance(settings, results):
 
 
 def _source(settings):
-    return "--poses=DIR/poses" if settings.get("poses") else "--dataset=DIR"
+    return "--poses=poses" if settings.get("poses") else "--dataset=DIR"
 
 
 def _everything(settings):
@@ -197,7 +197,7 @@ def _one_cell(settings, results):
     lines = []
     if settings.get("poses"):
         drive = grid.drive(settings, cell)
-        lines.append(commands.simulate(settings, drive, "DIR/poses", "DATASET"))
+        lines.append(commands.simulate(settings, drive, "poses", "DATASET"))
     lines.append(commands.run(settings, cell, "DATASET", "OUTPUT"))
     return [Commands((short,)), Paragraph("which is"),
             Commands(tuple("semantic_kiss " + " ".join(line) for line in lines))]

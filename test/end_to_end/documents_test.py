@@ -30,10 +30,12 @@ BUILD = os.path.dirname(os.path.dirname(BINARY))
 PLACEHOLDERS = {
     "DIR": "data",
     "NN": "07",
+    "DATASET": "simulated/benchmark",
+    "OUTPUT": "output/benchmark",
     "SYSTEM": "semantic_kiss_loop_closure",
     "/data/semantickitti": "data",
 }
-SEQUENCES = ["00", "01", "05", "07"]
+SEQUENCES = ["00", "01", "05", "07", "10"]
 UNLABELED_SEQUENCE = "08"  # docs/labels.md makes labels for it
 
 # Added to each of these commands, so that all of them take a minute.
@@ -104,7 +106,7 @@ class DocumentsTest(ProgramTest):
                         "--output=output/whole", "--quiet"], check=True, cwd=cls.workspace,
                        stdout=subprocess.DEVNULL)
         shutil.copytree(cls.at("output", "whole"), cls.at("output", "00"))
-        for name in ("lasting", "map", "monday", "saved", "tuesday"):
+        for name in ("cartographer", "lasting", "map", "monday", "saved", "tuesday"):
             shutil.copy(cls.at("output", "whole", "map.pbstream"), cls.at(name + ".pbstream"))
 
     @classmethod
@@ -241,7 +243,8 @@ class DocumentsTest(ProgramTest):
         known = {"--help", "--version"}
         for command in self.commands():
             known |= set(re.findall(r"^  (--\w+)", self.succeed(command, "--help"), re.MULTILINE))
-        for path in glob.glob(os.path.join(SOURCE, "scripts", "*")):
+        for path in filter(os.path.isfile, glob.glob(os.path.join(SOURCE, "scripts", "**"),
+                                             recursive=True)):
             known |= set(re.findall(r"--[a-z_]+", read(path).decode()))
         for name, text in documents():
             foreign = mentioned_flags(text) - known

@@ -60,10 +60,10 @@ class ScansTest(ProgramTest):
         self.succeed("scans", f"--map={stock}", f"--output={taken}", "--quiet")
         self.fail_with(1, ["trajectories", "--trajectory"], "scans", f"--map={stock}",
                        f"--output={self.path('other')}", "--trajectory=7")
-        for start in (300, 1200):
+        for start in (300, 800):
             out = self.path(f"from_{start}")
             self.succeed("relocalize", f"--map={stock}", "--config=relocalize_in_plane.lua",
-                         f"--dataset={taken}", f"--first_scan={start}", "--num_scans=80",
+                         f"--dataset={taken}", f"--first_scan={start}", "--num_scans=50",
                          f"--map_ground_truth={taken}/sequences/00", f"--output={out}", "--quiet")
             found = json.loads(read(out, "relocalization.json"))
             self.assertLessEqual(found["first_fix_after_scans"], 50)

@@ -239,7 +239,7 @@ class PageTest(unittest.TestCase):
         for words in ("Simulated drives", "Mark this.", "of 00 the first 9 scans", "Where ours loses",
                       "| `plain` | 0.500 | `mine` | 1.500 | 3.00 |", "Of 12 such comparisons", "| none | 0.250", "![Sequence 00](00.png)",
                       "Commit `abc`", "--cell=mine_closing/00/0",
-                      "semantic_kiss simulate --poses=DIR/poses/00.txt", "`cccccccccccc`"):
+                      "semantic_kiss simulate --poses=poses/00.txt", "`cccccccccccc`"):
             self.assertIn(words, text)
 
     def test_what_is_missing(self):
