@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -112,6 +113,39 @@ TEST_F(FindCandidatesTest, UntiedTrajectoriesAreUncertainWhereverTheyAre) {
   AddDrive(1, OutAndBack(5, 4.), 3, &graph_);
   EXPECT_TRUE(Nearby({1, 0}).empty());
   EXPECT_EQ(Uncertain({1, 0}).size(), graph_.submaps.size() - 4);
+}
+
+TEST_F(FindCandidatesTest, EverywhereNoSubmapIsFartherThanHalfAWindowFromOneThatIsSearched) {
+  const Topology topology(graph_);
+  std::vector<SubmapId> all;
+  for (const auto& [id, placed] : graph_.submaps) all.push_back(id);
+  proto::SearchAllOptions options;
+  options.set_linear_m(30.);
+  const auto position = [&](const SubmapId& id) -> Eigen::Vector2d {
+    return graph_.nodes.at(*topology.MiddleNode(id)).map_from_node.translation().head<2>();
+  };
+  const std::vector<ClosureCandidate> candidates =
+      CandidatesEverywhere({0, 7}, all, options, graph_, topology);
+  // The way back lies beside the way out, and submaps follow each other every 10 m.
+  EXPECT_LT(candidates.size(), all.size() / 2);
+  for (const SubmapId& id : all) {
+    double nearest_m = kInfinity;
+    for (const ClosureCandidate& candidate : candidates) {
+      nearest_m = std::min(nearest_m, (position(candidate.submap_id) - position(id)).norm());
+    }
+    EXPECT_LT(nearest_m, 15.) << id.submap_index;
+  }
+  for (const ClosureCandidate& candidate : candidates) {
+    EXPECT_EQ(candidate.node_id, (NodeId{0, 7}));
+    EXPECT_EQ(candidate.window.linear_m, 30.);
+    EXPECT_GE(candidate.window.angular_rad, M_PI);
+    // Around the middle node, as the submap has it.
+    const Eigen::Vector3d guess(candidate.submap_from_node_guess.translation.x(),
+                                candidate.submap_from_node_guess.translation.y(), 0.);
+    const Eigen::Vector3d in_map = graph_.submaps.at(candidate.submap_id).map_from_submap * guess;
+    EXPECT_LT((in_map.head<2>() - position(candidate.submap_id)).norm(), 1e-9);
+  }
+  EXPECT_TRUE(CandidatesEverywhere({0, 7}, {}, options, graph_, topology).empty());
 }
 
 TEST_F(FindCandidatesTest, ProposalsAreTurnedToTheNode) {
