@@ -80,7 +80,9 @@ MatchingScan::MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreMo
   }
   std::sort(places.begin(), places.end());
   size_t step = 1;
-  while (places.size() / step > max_points || TotalWeight(places, step) > kMaxTotalWeight) ++step;
+  while ((places.size() + step - 1) / step > max_points ||
+         TotalWeight(places, step) > kMaxTotalWeight)
+    ++step;
   for (size_t i = 0; i < places.size(); i += step) {
     const Place& place = places[i];
     if (layers_.empty() || layers_.back().layer != place.layer) {

@@ -42,8 +42,8 @@ class MatchingScan {
  public:
   // `cloud` is in the node's frame, which must be level (z up along gravity). Points without a
   // layer, beyond the model's max_range_m or with a coordinate that is not finite are left out.
-  // Of more than `max_points` points, or a total weight above 131 000 (sums are 32 bits wide), only
-  // every second (third, ...) point along the curve is kept.
+  // Of more than `max_points` (> 0) points, or a total weight above 131 000 (sums are 32 bits
+  // wide), only every second (third, ...) point along the curve is kept.
   MatchingScan(const sensor::LabeledPointCloud& cloud, const ScoreModel& model,
                size_t max_points = std::numeric_limits<size_t>::max());
 

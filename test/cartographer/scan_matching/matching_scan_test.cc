@@ -34,6 +34,23 @@ TEST(MatchingScanTest, LeavesOutWhatDoesNotCount) {
   EXPECT_DOUBLE_EQ(scan.radius_m(), 5.);
 }
 
+TEST(MatchingScanTest, KeepsAsManyPointsAsAskedSpreadOverTheScan) {
+  const ScoreModel model = SmallModel(SmallOptions("dominant_label"));
+  sensor::LabeledPointCloud cloud;
+  for (int i = 0; i < 100; ++i) AddPoint(0.2 * i, 1., kBuilding, &cloud);
+  EXPECT_EQ(MatchingScan(cloud, model, 100).size(), 100u);
+  const MatchingScan thinned(cloud, model, 30);
+  EXPECT_LE(thinned.size(), 30u);
+  EXPECT_GE(thinned.size(), 20u);
+  EXPECT_EQ(thinned.total_weight(), static_cast<int64_t>(64 * thinned.size()));
+  double last_x = -1.;
+  thinned.ForEachPoint([&](int, const Eigen::Vector2d& position, int) {
+    EXPECT_LE(position.x() - last_x, 1.5);
+    last_x = position.x();
+  });
+  EXPECT_GT(last_x, 18.);
+}
+
 TEST(MatchingScanTest, AnEmptyScanHasNoCells) {
   const MatchingScan scan({}, SmallModel(SmallOptions("dominant_label")));
   EXPECT_TRUE(scan.empty());
