@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <set>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,9 +20,12 @@
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/flag_list.h"
 #include "semantic_kiss/cli/flags.h"
+#include "semantic_kiss/cli/output_directory.h"
+#include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/cli/summary_line.h"
 #include "semantic_kiss/cli/terminal.h"
 #include "semantic_kiss/dataset/scan_writer.h"
+#include "semantic_kiss/dataset/sequence_directory.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -45,13 +49,45 @@ absl::StatusOr<int> ChosenTrajectory(const Map& map) {
   return named->empty() ? *ids.begin() : named->front();
 }
 
+// A directory that becomes the result once it is whole, and nothing if it never is.
+class PartialDirectory {
+ public:
+  explicit PartialDirectory(const std::string& result)
+      : result_(result), path_(absl::StrCat(result, ".partial")) {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);  // of a program that was killed
+  }
+  PartialDirectory(const PartialDirectory&) = delete;
+  PartialDirectory& operator=(const PartialDirectory&) = delete;
+  ~PartialDirectory() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+
+  const std::string& path() const { return path_; }
+
+  absl::Status Commit() {
+    std::error_code error;
+    std::filesystem::rename(path_, result_, error);
+    if (!error) return absl::OkStatus();
+    return absl::PermissionDeniedError(
+        absl::StrCat(result_, ": cannot be made of ", path_, ": ", error.message()));
+  }
+
+ private:
+  const std::string result_;
+  const std::string path_;
+};
+
 absl::Status WriteDrive(const std::vector<const MapNode*>& nodes,
                         const cartographer::sensor::LabelSet& labels,
                         const std::string& directory) {
   std::vector<absl::Status> statuses(nodes.size());
   cartographer::common::ParallelChunks(nodes.size(), 1, [&](size_t i, size_t) {
-    statuses[i] = dataset::WriteScanFiles(directory, static_cast<int>(i),
-                                          dataset::FilesOf(*nodes[i]->cloud, labels));
+    statuses[i] = StopRequested()
+                      ? absl::CancelledError("nothing is written")
+                      : dataset::WriteScanFiles(directory, static_cast<int>(i),
+                                                dataset::FilesOf(*nodes[i]->cloud, labels));
   });
   for (const absl::Status& status : statuses) RETURN_IF_ERROR(status);
   std::vector<cartographer::common::Time> times;
@@ -65,7 +101,8 @@ absl::Status WriteDrive(const std::vector<const MapNode*>& nodes,
 }
 
 absl::Status RunScans() {
-  const std::string directory = absl::StrCat(FLAGS_output, "/sequences/", FLAGS_sequence);
+  ASSIGN_OR_RETURN(const std::string directory,
+                   dataset::SequenceDirectory(FLAGS_output, FLAGS_sequence));
   if (std::filesystem::exists(directory)) {
     return absl::FailedPreconditionError(
         absl::StrCat(directory, ": is there already; choose another directory or --sequence"));
@@ -81,7 +118,13 @@ absl::Status RunScans() {
     nodes.push_back(&node);
     num_points += node.cloud->size();
   }
-  RETURN_IF_ERROR(WriteDrive(nodes, map.labels, directory));
+  StopInGoodOrder();
+  // Gone again, as far as it was made here, if nothing comes into it.
+  ASSIGN_OR_RETURN(const OutputDirectory sequences,
+                   OutputDirectory::Create(absl::StrCat(FLAGS_output, "/sequences")));
+  PartialDirectory partial(directory);
+  RETURN_IF_ERROR(WriteDrive(nodes, map.labels, partial.path()));
+  RETURN_IF_ERROR(partial.Commit());
   if (FLAGS_quiet) return absl::OkStatus();
   const Terminal terminal = Terminal::Of(STDOUT_FILENO);
   std::cout << SummaryLine(terminal, Style::kGreen, "scans",

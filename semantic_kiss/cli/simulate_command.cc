@@ -15,6 +15,7 @@
 #include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
 #include "semantic_kiss/cli/stop_signals.h"
+#include "semantic_kiss/dataset/sequence_directory.h"
 #include "semantic_kiss/simulation/preview.h"
 #include "semantic_kiss/simulation/scan_preview.h"
 #include "semantic_kiss/simulation/simulation.h"
@@ -88,6 +89,7 @@ absl::Status RunSimulate() {
   if (FLAGS_output.empty() && FLAGS_preview.empty()) {
     return absl::InvalidArgumentError("nothing to do: give --output=DIR, --preview=FILE or both");
   }
+  RETURN_IF_ERROR(dataset::SequenceDirectory(FLAGS_output, FLAGS_sequence).status());
   ASSIGN_OR_RETURN(const SimulationOptions options, LoadSimulationOptions());
   ASSIGN_OR_RETURN(const std::unique_ptr<Simulation> drive, Simulation::Create(options));
   // The picture may be meant to lie beside the scans; what is wrong with the folder they will tell.

@@ -4,12 +4,12 @@
 #include "semantic_kiss/dataset/scan_writer.h"
 
 #include <filesystem>
-#include <system_error>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "cartographer/common/status.h"
 #include "cartographer/io/atomic_file.h"
+#include "semantic_kiss/dataset/sequence_directory.h"
 
 namespace semantic_kiss::dataset {
 namespace {
@@ -23,13 +23,7 @@ std::string PathOf(const std::string& sequence_directory, const char* folder, in
 
 template <typename Number>
 absl::Status WriteNumbers(const std::string& path, const std::vector<Number>& numbers) {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return absl::PermissionDeniedError(
-        absl::StrCat(folder.string(), ": cannot make this directory: ", error.message()));
-  }
+  RETURN_IF_ERROR(MakeDirectory(std::filesystem::path(path).parent_path()));
   return cartographer::io::WriteFileAtomically(
       path, absl::string_view(reinterpret_cast<const char*>(numbers.data()),
                               numbers.size() * sizeof(Number)));

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -16,6 +15,7 @@
 #include "cartographer/io/atomic_file.h"
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/dataset/scan_writer.h"
+#include "semantic_kiss/dataset/sequence_directory.h"
 #include "semantic_kiss/simulation/material.h"
 #include "semantic_kiss/simulation/recorded_route.h"
 
@@ -26,14 +26,6 @@ using cartographer::io::WriteFileAtomically;
 using cartographer::transform::Rigid3d;
 
 constexpr char kManifest[] = "simulation.lua";
-
-absl::Status MakeDirectory(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (!error) return absl::OkStatus();
-  return absl::PermissionDeniedError(
-      absl::StrCat(path, ": cannot make this directory: ", error.message()));
-}
 
 // As in SemanticKITTI, the upper 16 bits tell the individuals of countable classes apart.
 uint32_t LabelWord(const SimulatedPoint& point) {
@@ -60,8 +52,10 @@ absl::StatusOr<SequenceWriter> SequenceWriter::Open(const std::string& directory
                                                     const std::string& sequence,
                                                     const ScanColumns& columns,
                                                     absl::string_view manifest) {
-  SequenceWriter writer(absl::StrCat(directory, "/sequences/", sequence), columns);
-  RETURN_IF_ERROR(MakeDirectory(absl::StrCat(writer.directory_, "/velodyne")));
+  ASSIGN_OR_RETURN(const std::string path_of_sequence,
+                   dataset::SequenceDirectory(directory, sequence));
+  SequenceWriter writer(path_of_sequence, columns);
+  RETURN_IF_ERROR(dataset::MakeDirectory(absl::StrCat(writer.directory_, "/velodyne")));
   const std::string path = absl::StrCat(writer.directory_, "/", kManifest);
   std::ifstream file(path, std::ios::binary);
   if (!file) {

@@ -52,6 +52,30 @@ class ScansTest(ProgramTest):
         self.fail_with(1, ["sequences/00", "already"], "scans", f"--map={self.path('x.pbstream')}",
                        f"--output={self.path('out')}")
 
+    def test_nothing_is_written_elsewhere_or_by_halves(self):
+        for sequence in ("../../elsewhere", "..", "a/b"):
+            for command in (["scans", f"--map={self.path('x.pbstream')}"], ["simulate"]):
+                self.fail_with(1, ["name of a sequence"], *command, f"--sequence={sequence}",
+                               f"--output={self.path('out')}")
+        self.assertEqual(os.listdir(self.path()), [])
+        self.succeed("simulate", "--route=loop", "--length=60", "--lidar=vlp16", "--num_scans=12",
+                     f"--output={self.path('drive')}", "--quiet")
+        self.succeed("run", f"--dataset={self.path('drive')}", f"--output={self.path('run')}",
+                     "--quiet")
+        # A file stands where a folder is needed.
+        sequences = self.path("out", "sequences")
+        os.makedirs(sequences)
+        open(os.path.join(sequences, "00.partial"), "w").close()
+        os.chmod(sequences, 0o555)
+        if not os.access(sequences, os.W_OK):
+            self.fail_with(1, ["sequences"], "scans", f"--output={self.path('out')}",
+                           f"--map={self.path('run', 'map.pbstream')}")
+        os.chmod(sequences, 0o755)
+        # What a program left that was killed is no obstacle.
+        self.succeed("scans", f"--output={self.path('out')}", "--quiet",
+                     f"--map={self.path('run', 'map.pbstream')}")
+        self.assertEqual(os.listdir(sequences), ["00"])
+
     def test_scans_of_a_building_in_cartographers_map_of_it(self):
         stock = os.path.join(data_directory(), "pbstream", "stock_aces.pbstream")
         if not os.path.exists(stock):
