@@ -62,15 +62,8 @@ class ScansTest(ProgramTest):
                      f"--output={self.path('drive')}", "--quiet")
         self.succeed("run", f"--dataset={self.path('drive')}", f"--output={self.path('run')}",
                      "--quiet")
-        # A file stands where a folder is needed.
         sequences = self.path("out", "sequences")
-        os.makedirs(sequences)
-        open(os.path.join(sequences, "00.partial"), "w").close()
-        os.chmod(sequences, 0o555)
-        if not os.access(sequences, os.W_OK):
-            self.fail_with(1, ["sequences"], "scans", f"--output={self.path('out')}",
-                           f"--map={self.path('run', 'map.pbstream')}")
-        os.chmod(sequences, 0o755)
+        os.makedirs(os.path.join(sequences, "00.partial", "velodyne"))
         # What a program left that was killed is no obstacle.
         self.succeed("scans", f"--output={self.path('out')}", "--quiet",
                      f"--map={self.path('run', 'map.pbstream')}")
