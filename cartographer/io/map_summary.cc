@@ -8,6 +8,7 @@
 
 #include "cartographer/common/status.h"
 #include "cartographer/io/map_stream.h"
+#include "cartographer/io/submap_bounds.h"
 #include "cartographer/mapping/proto/serialization.pb.h"
 
 namespace cartographer::io {
@@ -62,15 +63,7 @@ void SumUpPoseGraph(const PoseGraph& graph, MapSummary* summary) {
 void SumUpSubmap(const submap::Submap& submap, const transform::Rigid3d& map_from_submap,
                  MapSummary* summary) {
   map::CountSubmap(submap, &summary->label_counts);
-  const submap::SemanticGrid::CellBox box = submap.grid.Bounds();
-  if (box.Empty()) return;
-  for (const int x : {box.min.x(), box.max.x()}) {
-    for (const int y : {box.min.y(), box.max.y()}) {
-      const Eigen::Vector3d corner =
-          map_from_submap * (submap.grid.resolution_m() * Eigen::Vector3d(x, y, 0.));
-      summary->grid_bounds_m.extend(corner.head<2>());
-    }
-  }
+  summary->grid_bounds_m.extend(BoundsInMap(submap.grid, map_from_submap));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cartographer/io/submap_bounds.h"
 #include "semantic_kiss/report/png.h"
 
 namespace semantic_kiss::live {
@@ -31,20 +32,6 @@ Eigen::Isometry2d InPlane(const Rigid3d& pose) {
   result.translate(pose.translation().head<2>());
   result.rotate(cartographer::transform::Yaw(pose.rotation()));
   return result;
-}
-
-Eigen::AlignedBox2d BoundsOf(const PlacedSubmap& placed) {
-  const SemanticGrid& grid = placed.submap->grid;
-  const SemanticGrid::CellBox cells = grid.Bounds();
-  Eigen::AlignedBox2d box;
-  if (cells.Empty()) return box;
-  const Eigen::Isometry2d map_from_grid = InPlane(placed.map_from_submap);
-  for (const int x : {cells.min.x(), cells.max.x()}) {
-    for (const int y : {cells.min.y(), cells.max.y()}) {
-      box.extend(map_from_grid * (grid.resolution_m() * Eigen::Vector2d(x, y)));
-    }
-  }
-  return box;
 }
 
 Eigen::AlignedBox2d BoundsOf(const RasterFrame& frame) {
@@ -105,7 +92,8 @@ bool Picture::AnyMoved(const Snapshot& snapshot) const {
 }
 
 void Picture::Add(const PlacedSubmap& placed) {
-  const Eigen::AlignedBox2d bounds = BoundsOf(placed);
+  const Eigen::AlignedBox2d bounds =
+      cartographer::io::BoundsInMap(placed.submap->grid, placed.map_from_submap);
   if (bounds.isEmpty()) return;
   MakeRoom(bounds);
   const Eigen::Isometry2d map_from_grid = InPlane(placed.map_from_submap);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "test/cartographer/submap/labels_with_roles.h"
 #include "test/cartographer/submap/one_point.h"
 
 namespace cartographer::submap {
@@ -19,18 +20,7 @@ using sensor::LabelSet;
 using transform::Rigid3d;
 
 LabelSet Labels() {
-  sensor::proto::LabelSet declaration;
-  declaration.set_name("test");
-  declaration.set_default_certainty(1.);
-  for (const auto& [name, role] : {std::pair{"unlabeled", "unlabeled"}, std::pair{"wall", ""},
-                                   std::pair{"moving-car", "moving"}}) {
-    auto* const label_class = declaration.add_classes();
-    label_class->set_id(declaration.classes_size());
-    label_class->set_name(name);
-    for (int i = 0; i < 3; ++i) label_class->add_color(100);
-    if (std::string(role) != "") label_class->add_roles(role);
-  }
-  return *LabelSet::Create(declaration);
+  return LabelsWithRoles({{"unlabeled", "unlabeled"}, {"wall", ""}, {"moving-car", "moving"}});
 }
 
 proto::PlanarSubmapOptions Options(int scans_per_submap) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "test/cartographer/submap/labels_with_roles.h"
 #include "test/cartographer/submap/one_point.h"
 
 namespace cartographer::submap {
@@ -19,22 +20,8 @@ using sensor::LabelSet;
 using transform::Rigid3d;
 
 LabelSet Labels() {
-  sensor::proto::LabelSet declaration;
-  declaration.set_name("test");
-  declaration.set_default_certainty(1.);
-  const auto add = [&](int id, const std::string& name, const std::string& role) {
-    auto* const label_class = declaration.add_classes();
-    label_class->set_id(id);
-    label_class->set_name(name);
-    for (int i = 0; i < 3; ++i) label_class->add_color(100);
-    if (!role.empty()) label_class->add_roles(role);
-  };
-  add(0, "unlabeled", "unlabeled");
-  add(1, "road", "ground");
-  add(2, "moving-car", "moving");
-  const auto labels = LabelSet::Create(declaration);
-  EXPECT_TRUE(labels.ok()) << labels.status();
-  return *labels;
+  return LabelsWithRoles(
+      {{"unlabeled", "unlabeled"}, {"road", "ground"}, {"moving-car", "moving"}});
 }
 
 proto::SubmapOptions Options(int scans_per_submap) {
