@@ -88,6 +88,16 @@ TEST(PlanarLocalTrajectoryBuilderTest, FollowsADrive) {
   }
 }
 
+TEST(PlanarLocalTrajectoryBuilderTest, FollowsATurnThatBeginsAtOnce) {
+  PlanarLocalTrajectoryBuilder builder(Options(), sensor::LabelSet());
+  for (int i = 0; i < 16; ++i) {
+    const Rigid3d truth = PoseAt(0.7 * i, 0., std::max(0, i - 8) * 3.5 * M_PI / 180.);
+    const LocalResult result = builder.AddScan(SeeStreet(truth, i));
+    EXPECT_LT((result.local_from_sensor.translation() - truth.translation()).norm(), 0.1) << i;
+    EXPECT_LT(transform::RotationAngle(result.local_from_sensor.inverse() * truth), 0.01) << i;
+  }
+}
+
 TEST(PlanarLocalTrajectoryBuilderTest, AScanThatShowsNothingIsPlacedAsExpectedAndNotMapped) {
   PlanarLocalTrajectoryBuilder builder(Options(), sensor::LabelSet());
   for (int i = 0; i < 12; ++i) {
