@@ -12,6 +12,7 @@ return {
     kind = "city",
     length_m = 800.,
     poses_file = "",
+    max_slope = 0.15,
     block_m = 90.,
     ring_m = 500.,
     city_speed_m_per_s = 10.,

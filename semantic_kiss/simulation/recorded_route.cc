@@ -12,6 +12,7 @@
 #include "cartographer/common/status.h"
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/simulation/random.h"
+#include "semantic_kiss/simulation/slope_limit.h"
 
 namespace semantic_kiss::simulation {
 namespace {
@@ -124,6 +125,7 @@ absl::StatusOr<Route> ReadRecordedRoute(const proto::RouteOptions& options, doub
         absl::StrCat(options.poses_file(), ": ", route.poses.size(),
                      " poses that move less than 2 m make no route; give a longer drive"));
   }
+  route.heights_m = LimitSlopes(route.poses, route.heights_m, options.max_slope());
   route.on_highway = FindHighway(route.poses, options.highway_threshold_m_per_s(), scan_rate_hz);
   SideStreetGuesser(&route, seed).Guess();
   return route;

@@ -95,5 +95,17 @@ TEST(RouteTest, ReadsTheRealDrives) {
   }
 }
 
+TEST(RouteTest, OfTheRealDrivesOnlyTheFaultyOneIsFlattened) {
+  const auto data = semantic_kiss_testing::RealDataDirectory();
+  if (!data) GTEST_SKIP();
+  for (const char* sequence : {"00", "01", "02", "03", "04", "05", "06", "07", "08", "09", "10"}) {
+    const std::string recorded = "options.route.kind = 'recorded' options.route.poses_file = '" +
+                                 *data + "/kitti_odometry/poses/" + sequence + ".txt'";
+    const auto heights_m = RouteOf(recorded).heights_m;
+    const auto as_recorded_m = RouteOf(recorded + " options.route.max_slope = 1e9").heights_m;
+    EXPECT_EQ(heights_m == as_recorded_m, std::string(sequence) != "08") << sequence;
+  }
+}
+
 }  // namespace
 }  // namespace semantic_kiss::simulation
