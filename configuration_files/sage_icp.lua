@@ -6,6 +6,7 @@
 -- KISS-ICP and from ours: docs/systems.md.
 
 include "defaults/run.lua"
+include "defaults/class_voxels.lua"
 
 local ODOMETRY = RUN.local_trajectory_builder.semantic_kiss.odometry
 
@@ -14,20 +15,7 @@ ODOMETRY.preprocessing.label_max_range_m = 50.0
 -- Who may walk or ride away; what is seen to move goes by its role.
 ODOMETRY.preprocessing.drop_labels = { "person", "bicyclist", "motorcyclist" }
 
--- Sides of the voxels of classes, m, before the factors of the two sub-samplings.
-local function CLASS_VOXELS(factor)
-  local function group(labels, voxel_size_m)
-    return { labels = labels, voxel_size_m = factor * voxel_size_m }
-  end
-  return {
-    group({ "road", "parking", "sidewalk", "other-ground" }, 0.6),
-    group({ "building", "fence" }, 1.0),
-    group({ "vegetation", "terrain" }, 0.9),
-    group({ "trunk", "pole", "traffic-sign" }, 0.8),
-    group({ "car", "bicycle", "motorcycle", "truck", "other-vehicle" }, 0.6),
-  }
-end
--- The rest is unlabeled.
+-- What is in no group of classes is unlabeled.
 local rest_m = 1.0
 for subsampling, factor in pairs { map_subsampling = 0.5, icp_subsampling = 1.5 } do
   ODOMETRY[subsampling].voxel_size_m = factor * rest_m
