@@ -19,6 +19,13 @@ struct Candidate {
   int turn = 0;
 };
 
+std::vector<Eigen::Vector2d> Thin(const std::vector<Eigen::Vector2d>& points, size_t max_points) {
+  const size_t stride = (points.size() + max_points - 1) / max_points;
+  std::vector<Eigen::Vector2d> kept;
+  for (size_t i = 0; i < points.size(); i += stride) kept.push_back(points[i]);
+  return kept;
+}
+
 // The angle by which the farthest point moves by a cell.
 double AngularStep(const submap::ProbabilityGrid& grid,
                    const std::vector<Eigen::Vector2d>& points) {
@@ -95,7 +102,8 @@ PlanarPose SearchAround(const submap::ProbabilityGrid& grid,
                         const PlanarPose& grid_from_guess,
                         const proto::CorrelativeSearchOptions& options) {
   if (points.empty()) return grid_from_guess;
-  const Lattice lattice(grid, points, grid_from_guess, options);
+  const std::vector<Eigen::Vector2d> kept = Thin(points, options.max_points());
+  const Lattice lattice(grid, kept, grid_from_guess, options);
   Candidate best;
   for (const Candidate& candidate : common::ParallelMapChunks<Candidate>(
            lattice.num_headings(), 1,

@@ -30,6 +30,7 @@ PLANAR_BUILDER = {
     window_deg = 4.0,
     translation_penalty_per_m = 0.1,
     rotation_penalty_per_deg = 0.01,
+    max_points = 400,
   },
   initial_search = {
     enabled = true,
@@ -37,6 +38,7 @@ PLANAR_BUILDER = {
     window_deg = 3.0,
     translation_penalty_per_m = 0.0,
     rotation_penalty_per_deg = 0.0,
+    max_points = 2500,
   },
   fit = {
     occupied_space_weight = 1.0,

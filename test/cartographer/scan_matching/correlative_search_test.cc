@@ -17,6 +17,7 @@ proto::CorrelativeSearchOptions Options(double window_m, double window_deg) {
   options.set_enabled(true);
   options.set_window_m(window_m);
   options.set_window_deg(window_deg);
+  options.set_max_points(100000);
   return options;
 }
 
@@ -68,6 +69,25 @@ TEST(CorrelativeSearchTest, PenaltiesKeepTheGuess) {
   const PlanarPose found = SearchAround(grid, SeenFrom({}, RoomWalls()), guess, options);
   EXPECT_LT((found.translation - guess.translation).norm(), 1e-9);
   EXPECT_NEAR(found.yaw_rad, guess.yaw_rad, 1e-9);
+}
+
+TEST(CorrelativeSearchTest, ScoresNoMorePointsThanAsked) {
+  const submap::ProbabilityGrid grid = GridOf(RoomWalls());
+  const PlanarPoints points = SeenFrom({{0.31, -0.22}, 0.02}, RoomWalls());
+  proto::CorrelativeSearchOptions options = Options(0.4, 1.5);
+  // Two in three are somewhere else, and only they.
+  PlanarPoints mixed = points;
+  for (size_t i = 0; i < mixed.size(); ++i) {
+    if (i % 3 != 0) mixed[i] = Eigen::Rotation2Dd(0.5) * mixed[i];
+  }
+  PlanarPoints third;
+  for (size_t i = 0; i < mixed.size(); i += 3) third.push_back(mixed[i]);
+  options.set_max_points(static_cast<int>(third.size()));
+  const PlanarPose found = SearchAround(grid, mixed, PlanarPose{}, options);
+  const PlanarPose of_third = SearchAround(grid, third, PlanarPose{}, options);
+  EXPECT_EQ(found.translation, of_third.translation);
+  EXPECT_EQ(found.yaw_rad, of_third.yaw_rad);
+  EXPECT_LT((found.translation - Eigen::Vector2d(0.31, -0.22)).norm(), 0.15);
 }
 
 TEST(CorrelativeSearchTest, WithoutPointsOrWindowItIsTheGuess) {
