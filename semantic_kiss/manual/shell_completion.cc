@@ -25,9 +25,15 @@ std::string Names(const std::vector<Command>& commands) {
                        [](std::string* out, const Command& command) { *out += command.name; });
 }
 
+// Whether a flag has a value, but stands for something without it, too.
+bool MayBeBare(const FlagInfo& flag) { return !flag.bare_value.empty(); }
+
+// "--flag=", "--flag", or both.
 std::string BashFlag(const FlagUse& use) {
   const FlagInfo& flag = cli::FlagNamed(use.name);
-  return absl::StrCat("--", flag.name, flag.value == FlagValue::kNone ? "" : "=");
+  if (flag.value == FlagValue::kNone) return absl::StrCat("--", flag.name);
+  return absl::StrCat(MayBeBare(flag) ? absl::StrCat("--", flag.name, " ") : "", "--", flag.name,
+                      "=");
 }
 
 // How the value of a flag is completed in bash; empty: not at all.
@@ -85,7 +91,8 @@ constexpr char kBashMiddle[] = R"bash(
   if [[ $token == --*=* ]]; then
     flag=${token%%=*}
     value=${token#*=}
-  elif [[ $token != --* && " $flags " == *" ${tokens[-1]}= "* ]]; then
+  elif [[ $token != --* && " $flags " == *" ${tokens[-1]}= "* &&
+    " $flags " != *" ${tokens[-1]} "* ]]; then
     flag=${tokens[-1]}
     value=$token
   fi
@@ -124,11 +131,12 @@ std::string ZshValue(const FlagInfo& flag) {
 std::string ZshFlag(const FlagUse& use) {
   const FlagInfo& flag = cli::FlagNamed(use.name);
   const std::string about = gflags::GetCommandLineFlagInfoOrDie(flag.name.c_str()).description;
+  // A value that may be left out can only follow "=": the next word is something else.
   std::string text = absl::StrCat("'--", flag.name);
-  if (flag.value != FlagValue::kNone) text += "=";
+  if (flag.value != FlagValue::kNone) text += MayBeBare(flag) ? "=-" : "=";
   absl::StrAppend(&text, "[", ZshText(about), "]");
   if (flag.value != FlagValue::kNone) {
-    absl::StrAppend(&text, ":", flag.value_name, ":", ZshValue(flag));
+    absl::StrAppend(&text, MayBeBare(flag) ? "::" : ":", flag.value_name, ":", ZshValue(flag));
   }
   return text + "'";
 }

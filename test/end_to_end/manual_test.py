@@ -25,6 +25,10 @@ def read(path):
         return file.read()
 
 
+def may_be_bare(flag):
+    return "[=" in flag
+
+
 def plain(flag):
     """A flag whose value may be left out ("--live[=PORT]") like any other."""
     return flag.replace("[=", "=").rstrip("]")
@@ -40,10 +44,11 @@ class ManualTest(ProgramTest):
         return names
 
     def flags(self, command):
-        """Flags of a command with their placeholders ("--dataset=DIR"), from --help."""
+        """Flags of a command with their placeholders ("--dataset=DIR", "--live[=PORT]"), from
+        --help."""
         flags = re.findall(r"^  (--\S+)", self.succeed(command, "--help"), re.MULTILINE)
         self.assertTrue(flags)
-        return [plain(flag) for flag in flags]
+        return flags
 
 
 class ManPageTest(ManualTest):
@@ -56,7 +61,7 @@ class ManPageTest(ManualTest):
             terms = [line[3:].replace("\\-", "-") for line in section.splitlines()
                      if line.startswith(".B ")]
             for flag in self.flags(command):
-                self.assertIn(flag, [plain(term) for term in terms], command)
+                self.assertIn(plain(flag), [plain(term) for term in terms], command)
 
     @unittest.skipUnless(shutil.which("groff"), NO_GROFF)
     def test_groff_has_nothing_to_say_against_it(self):
@@ -97,7 +102,9 @@ class BashTest(ManualTest):
 
     def test_every_flag_of_every_command(self):
         for command in self.commands():
-            flags = {re.sub("=.*", "=", flag) for flag in self.flags(command)}
+            flags = {re.sub("=.*", "=", plain(flag)) for flag in self.flags(command)}
+            flags |= {re.sub(r"\[=.*", "", flag) for flag in self.flags(command)
+                      if may_be_bare(flag)}
             self.assertEqual(set(self.complete(f"semantic_kiss {command} --")),
                              flags | {"--help"}, command)
         self.assertEqual(self.complete("semantic_kiss run --quiet --data"), ["--dataset="])
@@ -123,6 +130,11 @@ class BashTest(ManualTest):
                          ["moving", "movable"])
         self.assertEqual(self.complete("semantic_kiss run --num_scans="), [])
 
+    def test_a_value_that_may_be_left_out(self):
+        self.assertEqual(self.complete("semantic_kiss run --liv"), ["--live", "--live="])
+        self.assertIn("--dataset=", self.complete("semantic_kiss run --live --da"))
+        self.assertEqual(self.complete("semantic_kiss run --live --config=kiss"), ["kiss_icp.lua"])
+
     def test_where_equals_signs_break_no_words(self):
         self.assertEqual(self.complete("semantic_kiss simulate --route=h", "COMP_WORDBREAKS=' '"),
                          ["--route=highway"])
@@ -139,7 +151,12 @@ class ZshTest(ManualTest):
         self.assertEqual(sorted(cases), sorted(self.commands()))
         for command, case in cases.items():
             for flag in self.flags(command):
-                self.assertIn("'" + re.sub("=.*", "=", flag) + "[", case, command)
+                start = "'" + re.sub("=.*", "=", plain(flag))
+                self.assertIn(start + ("-[" if may_be_bare(flag) else "["), case, command)
+
+    def test_a_value_that_may_be_left_out(self):
+        entry = re.search(r"'--live=-\[.*?\](:+)PORT:", read(ZSH))
+        self.assertEqual(entry[1], "::")
 
     @unittest.skipUnless(shutil.which("zsh"), NO_ZSH)
     def test_zsh_can_read_it(self):
