@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tbb/parallel_for_each.h"
+#include "cartographer/common/parallel.h"
 
 namespace cartographer::submap {
 namespace {
@@ -48,8 +48,8 @@ std::map<int, std::shared_ptr<const Submap>> ActivePlanarSubmaps::AddScan(
     const sensor::LabeledPointCloud& scan, const transform::Rigid3d& local_from_sensor) {
   if (succession_.NeedsNew()) Begin(local_from_sensor);
   auto& growing = succession_.growing();
-  tbb::parallel_for_each(growing.begin(), growing.end(),
-                         [&](Growing& one) { Grow(scan, local_from_sensor, &one); });
+  common::ParallelChunks(growing.size(), 1,
+                         [&](size_t i, size_t) { Grow(scan, local_from_sensor, &growing[i]); });
   const std::map<int, std::shared_ptr<const Submap>> submaps = succession_.Submaps();
   const std::optional<Growing> full = succession_.TakeFull();
   if (full.has_value()) Finish(*full);

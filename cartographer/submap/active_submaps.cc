@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "tbb/parallel_for_each.h"
+#include "cartographer/common/parallel.h"
 
 namespace cartographer::submap {
 namespace {
@@ -30,8 +30,8 @@ std::map<int, std::shared_ptr<const Submap>> ActiveSubmaps::AddScan(
   if (succession_.NeedsNew()) Begin(local_from_sensor);
   const sensor::LabeledPointCloud static_sparse = sensor::WithoutLabels(sparse, moving_);
   auto& growing = succession_.growing();
-  tbb::parallel_for_each(growing.begin(), growing.end(), [&](Growing& one) {
-    Grow(dense, static_sparse, local_from_sensor, &one);
+  common::ParallelChunks(growing.size(), 1, [&](size_t i, size_t) {
+    Grow(dense, static_sparse, local_from_sensor, &growing[i]);
   });
   const std::map<int, std::shared_ptr<const Submap>> submaps = succession_.Submaps();
   const std::optional<Growing> full = succession_.TakeFull();
