@@ -20,9 +20,8 @@ namespace cartographer::scan_matching {
 //     * exp(-(k_t |translation - guess|)^2 - (k_r |yaw - guess|)^2),
 //
 // the first one (by heading, y, x) on ties. Without points it is the guess.
-//   points  of the scan, in its frame, in the plane [m]; if there are more than max_points, every
-//   n-th
-//           of them, with the smallest n that leaves so few
+//   points  of the scan, in its frame, in the plane [m]; of more than max_points every n-th counts,
+//           with the smallest n that leaves so few
 // Parallel inside; the same on any number of threads.
 // Source: Olson, "Real-Time Correlative Scan Matching", ICRA 2009; the penalty as in Cartographer.
 PlanarPose SearchAround(const submap::ProbabilityGrid& grid,

@@ -8,7 +8,6 @@ include "defaults/class_voxels.lua"
 
 local ODOMETRY = RUN.local_trajectory_builder.semantic_kiss.odometry
 for subsampling, factor in pairs { map_subsampling = 0.5, icp_subsampling = 1.5 } do
-  ODOMETRY[subsampling].voxel_size_m = factor * 1.0  -- what is in no group
   ODOMETRY[subsampling].class_voxels = CLASS_VOXELS(factor)
 end
 

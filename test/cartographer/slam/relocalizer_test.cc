@@ -163,6 +163,7 @@ TEST(RelocalizerTest, LosesPatienceAfterAsManyNodesAsTold) {
     lost[nodes / 4] = localized.FirstWith(State::kLost);
   }
   EXPECT_GE(lost[0], kBlindFrom);
+  EXPECT_LT(lost[0], kBlindFrom + 6);   // with the first node that sees nothing
   EXPECT_EQ(lost[1], lost[0] + 3 * 6);  // a node every 3 m, two scans a metre
 }
 
@@ -204,7 +205,9 @@ TEST(RelocalizerTest, WhatIsForgottenKeepsItsPose) {
   const Localized trimmed = Localize(MapOfStreet(), visit, "RELOCALIZATION.keep_m = 10");
   ExpectTheTruthOrNothing(visit, trimmed);
   EXPECT_EQ(NumSmoothed(trimmed), 60);
-  // Otherwise nothing was forgotten: what came after it moved the first scan no more.
+  // 10 m at least are kept of 30, a node each.
+  EXPECT_LT(trimmed.num_nodes, PlainVisit().num_nodes - 5);
+  // What came later moved the first scan no more.
   EXPECT_NE(trimmed.smoothed[0]->translation(), PlainVisit().smoothed[0]->translation());
 }
 

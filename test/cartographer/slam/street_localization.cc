@@ -108,11 +108,6 @@ const map::Map& MapOfStreet() {
   return map;
 }
 
-proto::RelocalizationOptions ShippedRelocalizationOptions(const std::string& changes) {
-  return semantic_kiss_testing::ShippedOptions<proto::RelocalizationOptions>(
-      "relocalization", "RELOCALIZATION", changes);
-}
-
 Localized Localize(const map::Map& map, const StreetVisit& visit, const std::string& changes,
                    const std::function<void(Relocalizer*)>& prepare) {
   pose_graph::StreetOptions street_options;
@@ -120,18 +115,22 @@ Localized Localize(const map::Map& map, const StreetVisit& visit, const std::str
   street_options.parked_cars = visit.street;
   const std::vector<pose_graph::ScenePoint> street = pose_graph::MakeStreet(street_options);
   Localized localized;
+  auto graph = CreatePoseGraph(kSearching);
+  const pose_graph::PoseGraph& graph_inside = *graph;
   Relocalizer relocalizer(
-      ShippedRelocalizationOptions(changes),
+      semantic_kiss_testing::ShippedOptions<proto::RelocalizationOptions>(
+          "relocalization", "RELOCALIZATION", changes),
       [&] {
         ++localized.num_odometries;
         return std::make_unique<OdometryOfVisit>(visit.odometry);
       },
-      CreatePoseGraph(kSearching), map);
+      std::move(graph), map);
   prepare(&relocalizer);
   for (int i = 0; i < static_cast<int>(visit.truth.size()); ++i) {
     localized.scans.push_back(relocalizer.AddScan(ScanOf(visit, street, i)));
   }
   localized.smoothed = relocalizer.Finish();
+  localized.num_nodes = graph_inside.graph().nodes.size();
   return localized;
 }
 

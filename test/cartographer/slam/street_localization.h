@@ -33,6 +33,7 @@ struct Localized {
   std::vector<LocalizedScan> scans;
   std::vector<std::optional<transform::Rigid3d>> smoothed;
   int num_odometries = 0;  // that were begun
+  size_t num_nodes = 0;    // in the graph, in the end
 
   // The first scan at or after `from` that has the state; -1 if none has.
   int FirstWith(LocalizationState state, int from = 0) const;
@@ -41,10 +42,8 @@ struct Localized {
 // A map of the street of seed 1, from x = -15 to 15; its frame is the street's.
 const map::Map& MapOfStreet();
 
-// As shipped with `relocalize`, after changes to RELOCALIZATION in Lua.
-proto::RelocalizationOptions ShippedRelocalizationOptions(const std::string& changes = "");
-
-// Runs the relocalizer over the visit; `prepare` may tell it where the drive begins.
+// Runs the relocalizer over the visit, as shipped but for `changes` to RELOCALIZATION in Lua;
+// `prepare` may tell it where the drive begins.
 Localized Localize(
     const map::Map& map, const StreetVisit& visit, const std::string& changes = "",
     const std::function<void(Relocalizer*)>& prepare = [](Relocalizer*) {});
