@@ -9,7 +9,7 @@ source=$(realpath "$(dirname "$0")/..")
 
 "$source/scripts/setup.sh" --benchmark
 if [[ " $*" != *" --binary="* && " $*" != *" --help"* && " $*" != *" --page"* ]]; then
-  "$source/scripts/build.sh" release
+  "$source/scripts/build.sh" release semantic_kiss
 fi
 # Snakemake and what draws are Debian's, so they are in Debian's Python.
 exec /usr/bin/python3 "$source/scripts/benchmark/launch.py" "$@"
