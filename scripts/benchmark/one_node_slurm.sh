@@ -59,7 +59,27 @@ PartitionName=all Nodes=localhost Default=YES MaxTime=INFINITE State=UP
 CONFIGURATION
 }
 
+node_is_idle() {
+  sinfo --noheader --format=%t 2>/dev/null | grep -qx idle
+}
+
+# Repeats a command until it succeeds; fails after 10 s.
+wait_until() {
+  for _ in {1..100}; do
+    if "$@"; then return 0; fi
+    sleep 0.1
+  done
+  return 1
+}
+
+# Daemons that run already must not outlive one that does not.
+give_up() {
+  echo "one_node_slurm.sh: Slurm does not start; see $directory/*.log" >&2
+  stop
+}
+
 start() {
+  trap give_up EXIT
   mkdir -p "$directory/state" "$directory/spool"
   # Munge insists that nobody else can read its key or write its folders.
   chmod 755 "$directory"
@@ -69,26 +89,24 @@ start() {
     --seed-file="$directory/munge.seed"
   write_configuration
   slurmctld
+  # It tells its number only after it went to the background, and cannot be stopped before that.
+  wait_until test -s "$directory/slurmctld.pid"
   slurmd -N localhost
-  for _ in {1..100}; do
-    if sinfo --noheader --format=%t 2>/dev/null | grep -qx idle; then return; fi
-    sleep 0.1
-  done
-  echo "one_node_slurm.sh: the node is not ready after 10 s; see $directory/*.log" >&2
-  stop
-  exit 1
+  wait_until node_is_idle
+  trap - EXIT
 }
 
-# Ends a daemon and waits until it writes no more; one that has ended but was not yet waited for by
-# its parent is a zombie.
+# One that has ended but was not yet waited for by its parent is a zombie.
+has_ended() {
+  [[ "$(ps -o stat= -p "$1")" =~ ^(Z|$) ]]
+}
+
+# Ends a daemon and waits until it writes no more.
 stop_daemon() {
   local process
   process=$(cat "$directory/$1.pid" 2>/dev/null) || return 0
   kill "$process" 2>/dev/null || return 0
-  for _ in {1..100}; do
-    if [[ "$(ps -o stat= -p "$process")" =~ ^(Z|$) ]]; then return; fi
-    sleep 0.1
-  done
+  if wait_until has_ended "$process"; then return 0; fi
   echo "one_node_slurm.sh: $1, process $process, did not end within 10 s" >&2
 }
 

@@ -124,6 +124,33 @@ class BenchmarkTest(ProgramTest):
         self.assertEqual(one["metrics"], other["metrics"])
         self.assertEqual(one["config_sha256"], other["config_sha256"])
 
+    @unittest.skipUnless(HAS_SLURM, "Slurm is not installed: scripts/setup.sh --slurm")
+    def test_a_cluster_that_does_not_start_leaves_no_daemon(self):
+        os.mkdir(self.path("bin"))
+        with open(self.path("bin", "slurmd"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nexit 1\n")
+        os.chmod(self.path("bin", "slurmd"), 0o755)
+        result = subprocess.run(
+            [os.path.join(SOURCE, "scripts", "benchmark", "one_node_slurm.sh"), "start",
+             self.path("slurm")], capture_output=True, text=True, check=False,
+            env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("Slurm does not start; see ", result.stderr)
+        self.assertEqual(self.processes_that_name(self.path("slurm")), [])
+
+    def processes_that_name(self, text):
+        """Command lines of processes that have the text in theirs or in their environment."""
+        named = []
+        for process in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                command, environment = (read("/proc", process, name)
+                                        for name in ("cmdline", "environ"))
+            except OSError:  # ended meanwhile
+                continue
+            if text.encode() in command + environment:
+                named.append(command)
+        return named
+
     def test_errors_name_cause_and_remedy(self):
         self.assertIn("there is no kis_icp; there are kiss_icp, sage_icp",
                       self.benchmark("--systems=kis_icp", code=1))
