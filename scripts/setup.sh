@@ -5,8 +5,8 @@
 # Installs what Semantic KISS is built with, from Debian 12's own packages. Prints nothing and
 # touches nothing if all of it is there. Needs root or sudo only if something is missing.
 #   setup.sh              what building and testing need
-#   setup.sh --browser    besides, the browser in which a test looks at reports; without it that test
-#                         is skipped
+#   setup.sh --test       besides, the browser in which a test looks at reports, and zsh, in which one
+#                         completes commands; without them these tests are skipped
 #   setup.sh --benchmark  besides, what scripts/benchmark.sh needs
 #   setup.sh --slurm      besides, a Slurm for this machine, with which a test tries the benchmark on a
 #                         cluster; without it that test is skipped
@@ -47,11 +47,11 @@ packages=(
 
 for argument in "$@"; do
   case "$argument" in
-    --browser) packages+=(chromium chromium-driver) ;;
+    --test) packages+=(chromium chromium-driver zsh) ;;
     --benchmark) packages+=(python3-matplotlib snakemake) ;;
     --slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)
-      echo "scripts/setup.sh: unknown argument $argument (there are --browser, --benchmark and" \
+      echo "scripts/setup.sh: unknown argument $argument (there are --test, --benchmark and" \
         "--slurm)" >&2
       exit 2
       ;;

@@ -26,7 +26,7 @@ for argument in "$@"; do
   esac
 done
 
-scripts/setup.sh --browser --benchmark --slurm
+scripts/setup.sh --test --benchmark --slurm
 for preset in "${presets[@]}"; do
   scripts/build.sh "$preset"
   ctest --preset "$preset" --parallel "$(nproc)" --progress

@@ -155,6 +155,23 @@ _semantic_kiss() {
   local -a names=(
 )zsh";
 
+constexpr char kZshMiddle[] = R"zsh(  )
+  if ((CURRENT == 2)); then
+    names+=('help:tell all about a command')
+    local -a options=('--help:list the commands' '--version:tell the version')
+    _describe command names
+    _describe -o option options
+    return
+  fi
+  if [[ $words[2] == help ]]; then
+    if ((CURRENT == 3)); then _describe command names; fi
+    return
+  fi
+  shift words
+  ((CURRENT--))
+  case $words[1] in
+)zsh";
+
 }  // namespace
 
 std::string BashCompletion(const std::vector<Command>& commands) {
@@ -182,10 +199,7 @@ std::string ZshCompletion(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     absl::StrAppend(&script, "    '", command.name, ":", ZshText(command.summary), "'\n");
   }
-  absl::StrAppend(
-      &script,
-      "  )\n  if ((CURRENT == 2)); then\n    _describe command names\n    return\n  fi\n"
-      "  shift words\n  ((CURRENT--))\n  case $words[1] in\n");
+  script += kZshMiddle;
   for (const Command& command : commands) {
     absl::StrAppend(&script, "    ", command.name, ")\n      _arguments \\\n");
     for (const FlagUse& use : command.flags) {

@@ -101,7 +101,7 @@ class LiveTest(ProgramTest):
             self.fail_with(1, ["--live", f"port {port}"], "run", *flags, f"--live={port}")
 
     @unittest.skipIf(browser.missing(),
-                     f"{browser.missing()} is not installed: scripts/setup.sh --browser")
+                     f"{browser.missing()} is not installed: scripts/setup.sh --test")
     def test_the_page_follows_the_run_to_its_report(self):
         with browser.opened() as window:
             process, url, _ = self.start_live()

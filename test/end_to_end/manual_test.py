@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import unittest
 
+import zsh
 from program import BINARY, ProgramTest, main
 
 MANUAL = os.path.join(os.path.dirname(BINARY), "..", "manual")
@@ -17,7 +18,6 @@ PAGE = os.path.join(MANUAL, "semantic_kiss.1")
 BASH = os.path.join(MANUAL, "semantic_kiss.bash")
 ZSH = os.path.join(MANUAL, "_semantic_kiss")
 NO_GROFF = "there is no groff, which Debian's groff-base has"
-NO_ZSH = "there is no zsh"
 
 
 def read(path):
@@ -146,21 +146,62 @@ class BashTest(ManualTest):
 
 class ZshTest(ManualTest):
 
-    def test_every_flag_of_every_command(self):
+    def test_says_what_each_flag_is_for(self):
         cases = dict(re.findall(r"^    (\w+)\)\n(.*?);;", read(ZSH), re.MULTILINE | re.DOTALL))
         self.assertEqual(sorted(cases), sorted(self.commands()))
         for command, case in cases.items():
             for flag in self.flags(command):
-                start = "'" + re.sub("=.*", "=", plain(flag))
-                self.assertIn(start + ("-[" if may_be_bare(flag) else "["), case, command)
+                self.assertRegex(case, "'" + re.sub("=.*", "", plain(flag)) + r"(=-?)?\[\w", command)
+
+
+@unittest.skipUnless(shutil.which("zsh"), "there is no zsh: scripts/setup.sh --test")
+class ZshTabTest(ManualTest):
+    """The Tab key in a real zsh."""
+
+    def setUp(self):
+        super().setUp()
+        path = os.path.dirname(BINARY) + os.pathsep + os.environ["PATH"]
+        self.zsh = self.enterContext(zsh.Zsh(os.path.abspath(MANUAL), path, self.directory))
+
+    def line(self, typed):
+        return self.zsh.complete(f"semantic_kiss {typed}")[0].removeprefix("semantic_kiss ")
+
+    def offered(self, typed):
+        return self.zsh.complete(f"semantic_kiss {typed}")[1]
+
+    def test_commands(self):
+        self.assertEqual(self.offered(""), {*self.commands(), "help"})
+        self.assertEqual(self.offered("--"), {"--help", "--version"})
+        self.assertEqual(self.line("rel"), "relocalize ")
+        self.assertEqual(self.line("help si"), "help simulate ")
+        self.assertEqual(self.offered("help simulate "), set())
+
+    def test_every_flag_of_every_command(self):
+        for command in self.commands():
+            flags = {re.sub("=.*", "", plain(flag)) for flag in self.flags(command)}
+            self.assertEqual(self.offered(f"{command} --"), flags | {"--help"}, command)
+        self.assertEqual(self.line("run --quiet --data"), "run --quiet --dataset=")
+
+    def test_configurations_by_name_and_as_files(self):
+        open(self.path("semantic_mine.lua"), "w").close()
+        for typed in ("run --config=sem", "run --config sem"):
+            self.assertLessEqual({"semantic_kiss_6dof.lua", "semantic_mine.lua"},
+                                 self.offered(typed))
+            self.assertNotIn("kiss_icp.lua", self.offered(typed))
+
+    def test_files_directories_and_words(self):
+        os.mkdir(self.path("data"))
+        open(self.path("data.pbstream"), "w").close()
+        self.assertEqual(self.offered("info --map=da"), {"data", "data.pbstream"})
+        self.assertEqual(self.line("run --dataset=da"), "run --dataset=data/")
+        self.assertEqual(self.line("simulate --route=h"), "simulate --route=highway ")
+        self.assertEqual(self.offered("filter --remove_role=mov"), {"moving", "movable"})
+        self.assertEqual(self.offered("run --num_scans="), set())
 
     def test_a_value_that_may_be_left_out(self):
-        entry = re.search(r"'--live=-\[.*?\](:+)PORT:", read(ZSH))
-        self.assertEqual(entry[1], "::")
-
-    @unittest.skipUnless(shutil.which("zsh"), NO_ZSH)
-    def test_zsh_can_read_it(self):
-        subprocess.run(["zsh", "-n", ZSH], check=True)
+        self.assertEqual(self.offered("run --liv"), {"--live"})
+        self.assertEqual(self.line("run --live --da"), "run --live --dataset=")
+        self.assertEqual(self.offered("run --live="), set())
 
 
 if __name__ == "__main__":

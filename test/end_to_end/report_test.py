@@ -43,7 +43,7 @@ def contrast(one, other):
     return (bright + 0.05) / (dark + 0.05)
 
 
-@unittest.skipIf(browser.missing(), f"{browser.missing()} is not installed: scripts/setup.sh --browser")
+@unittest.skipIf(browser.missing(), f"{browser.missing()} is not installed: scripts/setup.sh --test")
 class ReportTest(ProgramTest):
 
     @classmethod
