@@ -142,8 +142,8 @@ def _cost(settings, systems, results):
             f"{closures[0]}, {closures[1]}" if system.closes_loops else tables.NONE))
     note = ("Processor time is that of the whole program (reading, map and pictures included) by "
             "scans. The odometry's is time on the clock, the mean over the sequences of the median "
-            "scan. Memory is the largest of all. One run used "
-            f"{settings['threads']} thread(s). {settings.get('note', '')}")
+            f"scan. Memory is the largest of all. One run used {settings['threads']} thread"
+            f"{'s' * (settings['threads'] != 1)}. {settings.get('note', '')}")
     header = ("", "processor ms a scan", "odometry, ms a scan", "peak MiB", "closures, false")
     return [Paragraph(note.strip()), Table(header, tuple(lines))]
 
