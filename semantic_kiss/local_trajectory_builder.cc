@@ -40,16 +40,22 @@ LocalResult LocalTrajectoryBuilder::AddScan(const cartographer::sensor::LabeledS
     result.stage_times.push_back({absl::StrCat("odometry/", step.stage), step.seconds});
   }
 
-  if (motion_filter_.Admit(scan.time, report.local_from_sensor)) {
-    result.insertion.emplace();
-    result.insertion->submaps =
-        active_submaps_.AddScan(report.points, report.points_for_map, report.local_from_sensor);
-    result.insertion->cloud = std::make_shared<const LabeledPointCloud>(
-        cartographer::sensor::WithoutLabels(report.points_for_icp, moving_labels_));
-  }
+  using Placement = odometry::OdometryReport::Placement;
+  // What was mapped before is somewhere else, relative to what comes now, than the poses tell.
+  if (report.placement == Placement::kRestarted) active_submaps_.FinishAll();
+  const bool placed = report.placement != Placement::kPredicted;
+  if (placed && motion_filter_.Admit(scan.time, report.local_from_sensor)) Insert(report, &result);
   stopwatch.Lap("submaps", &result.stage_times);
   if (trace() != nullptr) Trace(scan.points, report, result);
   return result;
+}
+
+void LocalTrajectoryBuilder::Insert(const odometry::OdometryReport& report, LocalResult* result) {
+  result->insertion.emplace();
+  result->insertion->submaps =
+      active_submaps_.AddScan(report.points, report.points_for_map, report.local_from_sensor);
+  result->insertion->cloud = std::make_shared<const LabeledPointCloud>(
+      cartographer::sensor::WithoutLabels(report.points_for_icp, moving_labels_));
 }
 
 void LocalTrajectoryBuilder::Trace(const LabeledPointCloud& scan,
@@ -57,7 +63,9 @@ void LocalTrajectoryBuilder::Trace(const LabeledPointCloud& scan,
                                    const LocalResult& result) const {
   TraceOdometry(scan, report, odometry_options_, trace());
   cartographer::slam::TraceInsertion(
-      result, {report.points, "moving", report.points_for_icp, "icp voxels", moving_labels_},
+      result,
+      {report.points, "moving", report.points_for_icp, "icp voxels", moving_labels_,
+       report.placement != odometry::OdometryReport::Placement::kPredicted},
       result.stage_times.back().seconds, trace());
 }
 

@@ -15,7 +15,8 @@
 namespace semantic_kiss {
 
 // The plugin: semantic KISS-ICP as a local trajectory builder. The one place where the odometry and
-// the framework meet.
+// the framework meet. A scan that could not be placed becomes no node; where the odometry begins
+// anew, so do the submaps (docs/decisions/0006).
 class LocalTrajectoryBuilder : public cartographer::slam::LocalTrajectoryBuilder {
  public:
   LocalTrajectoryBuilder(const proto::SemanticKissOptions& options,
@@ -25,6 +26,8 @@ class LocalTrajectoryBuilder : public cartographer::slam::LocalTrajectoryBuilder
   void Finish() override;
 
  private:
+  // Makes a node of the scan.
+  void Insert(const odometry::OdometryReport& report, cartographer::slam::LocalResult* result);
   void Trace(const cartographer::sensor::LabeledPointCloud& scan,
              const odometry::OdometryReport& report,
              const cartographer::slam::LocalResult& result) const;

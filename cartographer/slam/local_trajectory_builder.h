@@ -26,7 +26,8 @@ struct LocalResult {
   // reports.
   std::string outcome;
 
-  // A node: the scan went into submaps. Absent if the motion filter held the scan back.
+  // A node: the scan went into submaps. Absent if the scan could not be placed, or if the motion
+  // filter held it back. The first scan of a drive must become one.
   struct Insertion {
     std::shared_ptr<const sensor::LabeledPointCloud> cloud;  // sub-sampled, sensor frame
     // Submaps that took the scan, oldest first, by their index within the trajectory. A submap is

@@ -43,6 +43,10 @@ std::vector<Eigen::Vector2d> Flatten(const LabeledPointCloud& cloud) {
   return points;
 }
 
+bool IsPlaced(const LocalResult& result) {
+  return result.outcome == "first" || result.outcome == "matched";
+}
+
 }  // namespace
 
 PlanarLocalTrajectoryBuilder::PlanarLocalTrajectoryBuilder(
@@ -61,13 +65,14 @@ LocalResult PlanarLocalTrajectoryBuilder::AddScan(const sensor::LabeledScan& sca
   stopwatch.Lap("filters", &result.stage_times);
 
   Match(matched_points, &result);
+  const bool first = result.outcome == "first";
+  // A pose that stands for "no idea" tells no velocity.
+  if (first) motion_ = PlanarMotion();
   motion_.Observe(scan.time, InPlane(result.local_from_sensor));
   stopwatch.Lap("matching", &result.stage_times);
 
-  const bool placed = result.outcome == "first" || result.outcome == "matched";
-  if (placed && motion_filter_.Admit(scan.time, result.local_from_sensor)) {
-    Insert(band, matched_points, &result);
-  }
+  const bool moved = IsPlaced(result) && motion_filter_.Admit(scan.time, result.local_from_sensor);
+  if (first || moved) Insert(band, matched_points, &result);
   stopwatch.Lap("submaps", &result.stage_times);
   if (trace() != nullptr) Trace(scan.points, band, matched_points, result);
   return result;
@@ -86,15 +91,17 @@ void PlanarLocalTrajectoryBuilder::Trace(const LabeledPointCloud& scan,
                      absl::StrCat(result.outcome, ": ", PoseText(result.local_from_sensor))};
   matching.Takes("matched points", matched_points.size());
   trace()->push_back(matching.Took(result.stage_times[1].seconds));
-  TraceInsertion(result, {band, "height band", matched_points, "matched points", moving_labels_},
-                 result.stage_times[2].seconds, trace());
+  TraceInsertion(
+      result,
+      {band, "height band", matched_points, "matched points", moving_labels_, IsPlaced(result)},
+      result.stage_times[2].seconds, trace());
 }
 
 void PlanarLocalTrajectoryBuilder::Match(const LabeledPointCloud& matched_points,
                                          LocalResult* result) const {
   result->local_from_sensor = InSpace(motion_.Predict(result->time));
   const auto reference = active_submaps_.reference();
-  if (reference.grid == nullptr) {
+  if (reference.grid == nullptr || reference.grid->bounds().Empty()) {
     result->outcome = "first";
     return;
   }

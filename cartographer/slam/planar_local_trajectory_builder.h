@@ -21,8 +21,8 @@ namespace cartographer::slam {
 // go into both. Poses are level and have height 0; labels decide nothing. Scans are taken as they
 // are: deskewed, and by a sensor that is mounted level.
 //
-// Outcomes: "first"; "matched"; "too_few_points" and "no_fit", where the scan is placed as expected
-// and not mapped.
+// Outcomes: "first", of every scan until one has shown something; "matched"; "too_few_points" and
+// "no_fit", where the scan is placed as expected and not mapped.
 // Source: Hess et al., "Real-Time Loop Closure in 2D LIDAR SLAM", ICRA 2016, section IV.
 class PlanarLocalTrajectoryBuilder : public LocalTrajectoryBuilder {
  public:

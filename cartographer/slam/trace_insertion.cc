@@ -10,7 +10,9 @@ namespace cartographer::slam {
 void TraceInsertion(const LocalResult& result, const InsertedPoints& points, double seconds,
                     ScanTrace* trace) {
   if (!result.insertion.has_value()) {
-    TraceStep none{"node", "sensor", "none: too near the last node in place and time"};
+    TraceStep none{"node", "sensor",
+                   points.placed ? "none: too near the last node in place and time"
+                                 : "none: its place is not known"};
     trace->push_back(none.Took(seconds));
     return;
   }

@@ -20,6 +20,8 @@ struct InsertedPoints {
   std::string node_from;
   // Left out of both.
   sensor::LabelMask moving;
+  // Whether the scan's place is known; else it becomes no node.
+  bool placed = true;
 };
 
 // Appends what became of a scan after it was placed: a step for each submap that took it, and one

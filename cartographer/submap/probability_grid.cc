@@ -60,6 +60,7 @@ ProbabilityGrid::LogOdds ProbabilityGrid::ToLogOdds(double probability) {
 
 void ProbabilityGrid::InsertScan(const Eigen::Vector2d& origin,
                                  const std::vector<Eigen::Vector2d>& points) {
+  if (points.empty()) return;
   const CellIndex origin_cell = CellOf(origin);
   SemanticGrid::CellBox box{origin_cell, origin_cell + 1};
   for (const Eigen::Vector2d& point : points) {

@@ -51,6 +51,7 @@ absl::Status RunEvaluate() {
         "say where it begins with --first_scan=N",
         FLAGS_estimate, estimate.size(), FLAGS_ground_truth, truth.size()));
   }
+  RETURN_IF_ERROR(AddContext(evaluation::CheckSameBody(truth, estimate), FLAGS_estimate));
   const VehicleFrame frame = GuessVehicleFrame(truth).value_or(
       GuessVehicleFrame(estimate).value_or(VehicleFrame::kCamera));
   const absl::StatusOr<evaluation::Evaluation> result =

@@ -35,10 +35,15 @@ absl::StatusOr<std::vector<cartographer::transform::Rigid3d>> GroundTruthOfScans
     const std::vector<cartographer::transform::Rigid3d>& ground_truth, int first_scan,
     std::optional<int> num_scans);
 
+// InvalidArgument, with the remedy, if one trajectory is plainly a camera's and the other a
+// lidar's. Meant for files that people bring: an estimate that is lost may look so, too.
+absl::Status CheckSameBody(const std::vector<cartographer::transform::Rigid3d>& ground_truth,
+                           const std::vector<cartographer::transform::Rigid3d>& estimate);
+
 // Compares an estimate with the ground truth, pose by pose; both are poses of the body `frame`.
 // InvalidArgument, with the remedy, if there are no poses, if there are not as many of the one as
-// of the other (cut the truth to the scans of the run first: GroundTruthOfScans), if a pose is not
-// finite, or if one trajectory is plainly a camera's and the other a lidar's.
+// of the other (cut the truth to the scans of the run first: GroundTruthOfScans), or if a pose is
+// not finite.
 absl::StatusOr<Evaluation> Evaluate(
     const std::vector<cartographer::transform::Rigid3d>& ground_truth,
     const std::vector<cartographer::transform::Rigid3d>& estimate, VehicleFrame frame);

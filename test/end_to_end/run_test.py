@@ -140,6 +140,17 @@ class RunTest(ProgramTest):
         self.assertEqual(run["scans"], 6)
         self.assertGreater(len(run["odometry_outcomes"]), 2)
 
+    def test_a_drive_that_is_lost_is_written_and_compared(self):
+        sequence = Sequence(self.directory)
+        # As far as the odometry, but along another axis.
+        sequence.write("poses.txt", "".join(f"1 0 0 {STEP_M * i} 0 1 0 0 0 0 1 0\n"
+                                            for i in range(sequence.num_scans)))
+        summary = self.drive()
+        self.assertIn("another axis than the ground truth", summary)
+        self.assertEqual(sorted(os.listdir(self.path("out"))), RUN_FILES)
+        run = json.loads(read(self.path("out"), "run.json"))
+        self.assertGreater(run["metrics"]["ate_3d_m"], 0.)
+
 
 if __name__ == "__main__":
     main()

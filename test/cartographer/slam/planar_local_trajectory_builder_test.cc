@@ -110,15 +110,15 @@ TEST(PlanarLocalTrajectoryBuilderTest, AScanThatShowsNothingIsPlacedAsExpectedAn
   }
 }
 
-TEST(PlanarLocalTrajectoryBuilderTest, BeginsWithAnEmptyScanIfItMust) {
+TEST(PlanarLocalTrajectoryBuilderTest, BeginsWithTheFirstScanThatShowsSomething) {
   PlanarLocalTrajectoryBuilder builder(Options(), sensor::LabelSet());
-  sensor::LabeledScan nothing;
-  nothing.time = common::FromUnixSeconds(-0.1);
-  const LocalResult first = builder.AddScan(nothing);
-  EXPECT_EQ(first.outcome, "first");
-  EXPECT_TRUE(first.insertion.has_value());
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(builder.AddScan(SeeStreet(Rigid3d(), i)).local_from_sensor.IsFinite());
+  for (int i = -3; i < 12; ++i) {
+    sensor::LabeledScan scan = SeeStreet(PoseAt(0.7 * i, 0., 0.), i);
+    if (i < 0) scan.points.Clear();
+    const LocalResult result = builder.AddScan(scan);
+    EXPECT_EQ(result.outcome, i <= 0 ? "first" : "matched") << i;
+    EXPECT_TRUE(result.insertion.has_value()) << i;
+    EXPECT_NEAR(result.local_from_sensor.translation().x(), std::max(0, i) * 0.7, 0.1) << i;
   }
 }
 

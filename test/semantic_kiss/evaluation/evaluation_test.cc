@@ -69,11 +69,11 @@ TEST(EvaluationTest, CameraAndLidarDoNotMix) {
   const Poses lidar = StraightDrive(10, 1.);
   Poses camera;
   for (int i = 0; i < 10; ++i) camera.push_back(Rigid3d::Translation({0., 0., 1. * i}));
-  EXPECT_THAT(ErrorOf(camera, lidar),
+  EXPECT_THAT(std::string(CheckSameBody(camera, lidar).message()),
               HasSubstr("the ground truth holds poses of a camera, the estimate of a lidar"));
-  EXPECT_TRUE(Evaluate(camera, camera, VehicleFrame::kCamera).ok());
+  EXPECT_TRUE(CheckSameBody(camera, camera).ok());
   // Standing still tells nothing, so it is no contradiction.
-  EXPECT_TRUE(Evaluate(camera, Poses(10), VehicleFrame::kCamera).ok());
+  EXPECT_TRUE(CheckSameBody(camera, Poses(10)).ok());
 }
 
 TEST(EvaluationTest, GroundTruthOfScans) {
