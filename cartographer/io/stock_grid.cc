@@ -201,7 +201,21 @@ int HitsOfCost(double cost) {
   return std::max(1, static_cast<int>(std::lround(std::log(odds) / std::log(kOddsPerHit))));
 }
 
+// Of the box as it is, and as it is turned to the local axes.
+absl::Status CheckExtents(const Box& box, const Eigen::Matrix2d& rotation) {
+  RETURN_IF_ERROR(CheckExtent(box));
+  return CheckExtent(RotatedBox(rotation, box));
+}
+
 }  // namespace
+
+absl::Status CheckFitsStockGrid(const SemanticGrid& grid,
+                                const transform::Rigid3d& local_from_submap) {
+  const Eigen::Matrix2d rotation = HeadingOf(local_from_submap).toRotationMatrix();
+  // Whole tiles mostly tell.
+  if (CheckExtents(grid.Bounds(), rotation).ok()) return absl::OkStatus();
+  return CheckExtents(BoxOfHits(grid.DominantTiles()), rotation);
+}
 
 absl::StatusOr<mapping::proto::Grid2D> ToStockGrid(const SemanticGrid& grid,
                                                    const sensor::LabelMask& ground,
@@ -211,9 +225,8 @@ absl::StatusOr<mapping::proto::Grid2D> ToStockGrid(const SemanticGrid& grid,
   Box box = BoxOfHits(tiles);
   // Cartographer cannot hold a grid without cells.
   if (box.Empty()) box.max = box.min + 1;
-  RETURN_IF_ERROR(CheckExtent(box));
   const Eigen::Matrix2d rotation = HeadingOf(local_from_submap).toRotationMatrix();
-  RETURN_IF_ERROR(CheckExtent(RotatedBox(rotation, box)));
+  RETURN_IF_ERROR(CheckExtents(box, rotation));
   Raster raster(box);
   ForEachHitCell(tiles, [&](const CellIndex& cell, sensor::Label label, int hits) {
     const int row = std::min(hits, ValueTable::kMaxHits);

@@ -29,6 +29,10 @@ absl::StatusOr<mapping::proto::Grid2D> ToStockGrid(const submap::SemanticGrid& g
                                                    const sensor::LabelMask& ground,
                                                    const transform::Rigid3d& local_from_submap);
 
+// The error that ToStockGrid() would have, at a small share of its time.
+absl::Status CheckFitsStockGrid(const submap::SemanticGrid& grid,
+                                const transform::Rigid3d& local_from_submap);
+
 // The reverse, as far as it goes: cells with P(occupied) > 0.5 become hits of kUnlabeled, by the
 // formula above solved for h (at least 1), in the cell of the submap's grid that holds the cell's
 // centre (an offset of up to half a cell). Free space is not kept: layers hold hits alone.

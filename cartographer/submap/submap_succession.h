@@ -25,7 +25,7 @@ class SubmapSuccession {
   // Whether one is to begin before the next scan goes in: there is none, or the newest is half
   // full.
   bool NeedsNew() const {
-    return growing_.empty() || growing_.back().submap->num_scans >= scans_per_submap_ / 2;
+    return growing_.empty() || growing_.back().submap->num_scans >= (scans_per_submap_ + 1) / 2;
   }
   void Begin(Growing growing) {
     growing_.push_back(std::move(growing));

@@ -7,8 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
 #include "cartographer/common/stopwatch.h"
+#include "cartographer/io/stock_grid.h"
 #include "semantic_kiss/cli/live_snapshot.h"
 #include "semantic_kiss/cli/stop_signals.h"
 #include "semantic_kiss/evaluation/final_error.h"
@@ -30,6 +32,19 @@ std::optional<double> CurrentError(const dataset::ScanSource& scans,
              {estimate.front().local_from_sensor, estimate.back().local_from_sensor},
              evaluation::VehicleFrame::kLidar)
       .position_error_m;
+}
+
+// Of submaps that took their last scan: a map that cannot be written is to be told at once, not
+// when all of the drive is in it.
+absl::Status CheckCanBeWritten(const LocalResult& result) {
+  if (!result.insertion.has_value()) return absl::OkStatus();
+  for (const auto& [index, submap] : result.insertion->submaps) {
+    if (!submap->finished) continue;
+    RETURN_IF_ERROR(cartographer::common::AddContext(
+        cartographer::io::CheckFitsStockGrid(submap->grid, submap->local_from_submap),
+        absl::StrCat("submap ", index)));
+  }
+  return absl::OkStatus();
 }
 
 void Book(const LocalResult& result, DriveRecord* record) {
@@ -56,12 +71,13 @@ absl::StatusOr<DriveRecord> Drive(dataset::ScanSource* scans, MapBuilder* map_bu
     if (i == 0) {
       RETURN_IF_ERROR(CheckScansToTrace(watch.scans_to_trace, scan.index, scans->size()));
     }
-    if (watch.scans_to_trace.count(scan.index) == 0) {
-      Book(map_builder->AddScan(scan), &record);
-    } else {
-      record.traces.emplace_back();
-      Book(AddTraced(scan, reading_s, map_builder, &record.traces.back()), &record);
-    }
+    const bool traced = watch.scans_to_trace.count(scan.index) > 0;
+    if (traced) record.traces.emplace_back();
+    const LocalResult result = traced
+                                   ? AddTraced(scan, reading_s, map_builder, &record.traces.back())
+                                   : map_builder->AddScan(scan);
+    RETURN_IF_ERROR(CheckCanBeWritten(result));
+    Book(result, &record);
     const std::optional<double> error_m = CurrentError(*scans, *map_builder);
     watch.progress->Update(record.num_scans, error_m);
     const bool last = i + 1 == scans->size() || StopRequested();

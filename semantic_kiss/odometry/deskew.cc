@@ -8,6 +8,12 @@
 #include <limits>
 
 namespace semantic_kiss::odometry {
+namespace {
+
+// No sensor turns faster, so that what is shorter is rounding.
+constexpr float kShortestSweep_s = 1e-6f;
+
+}  // namespace
 
 std::optional<SweepMotion> SweepMotion::Create(const std::vector<float>& times,
                                                const cartographer::transform::Twist& motion) {
@@ -18,7 +24,8 @@ std::optional<SweepMotion> SweepMotion::Create(const std::vector<float>& times,
     first = std::min(first, time);
     last = std::max(last, time);
   }
-  if (!(first < last)) return std::nullopt;
+  const float sweep_s = last - first;
+  if (!(sweep_s >= kShortestSweep_s) || !std::isfinite(sweep_s)) return std::nullopt;
   return SweepMotion(first, last, motion);
 }
 

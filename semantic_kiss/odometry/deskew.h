@@ -21,7 +21,7 @@ namespace semantic_kiss::odometry {
 class SweepMotion {
  public:
   // `times` [s] of the points of one scan, in any order and on any common scale. There is nothing
-  // to undo, hence nullopt, if `times` is empty, all finite times are equal or none is finite.
+  // to undo, hence nullopt, if none of `times` is finite, or if those that are lie within 1e-6 s.
   // `motion`: Log(sensor-at-start from sensor-at-end of the sweep).
   static std::optional<SweepMotion> Create(const std::vector<float>& times,
                                            const cartographer::transform::Twist& motion);

@@ -33,6 +33,24 @@ class BadInputTest(ProgramTest):
         return f"--config={self.path('mine.lua')}"
 
 
+class TooLargeTest(BadInputTest):
+
+    def test_a_map_that_cannot_be_written_is_refused_before_the_drive_is_over(self):
+        configuration = self.configuration("""
+            local SUBMAPS = RUN.local_trajectory_builder.semantic_kiss.submaps
+            SUBMAPS.resolution_m = 0.002
+            SUBMAPS.scans_per_submap = 2
+        """)
+        flags = ["run", f"--dataset={self.path('data')}", f"--output={self.path('out')}",
+                 configuration]
+        result = self.run_program(*flags)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("submap 0: a grid of ", result.stderr)
+        self.assertIn("larger cells", result.stderr)
+        self.assertNotIn("6/6 scans", result.stderr)
+        self.assertFalse(os.path.exists(self.path("out")))
+
+
 class MissingInputTest(BadInputTest):
 
     def test_no_such_directory(self):

@@ -140,6 +140,16 @@ TEST(StockGridTest, TooLargeGridsAreAnError) {
   grid.AddHits(kWall, {1 << 28, 3});
   EXPECT_THAT(std::string(ToStockGrid(grid, Ground(), Rigid3d()).status().message()),
               HasSubstr("a grid of 268435457 x 4 cells is too large"));
+  EXPECT_EQ(CheckFitsStockGrid(grid, Rigid3d()), ToStockGrid(grid, Ground(), Rigid3d()).status());
+  // What fits as it lies may not fit as it is turned.
+  const auto turned =
+      Rigid3d::Rotation(Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ())));
+  SemanticGrid street(0.1);
+  street.AddHits(kWall, {0, 0});
+  street.AddHits(kWall, {1 << 16, 3});
+  EXPECT_TRUE(CheckFitsStockGrid(street, Rigid3d()).ok());
+  EXPECT_EQ(CheckFitsStockGrid(street, turned), ToStockGrid(street, Ground(), turned).status());
+  EXPECT_FALSE(CheckFitsStockGrid(street, turned).ok());
 }
 
 TEST(StockGridTest, CellsLandWhereTheyLie) {

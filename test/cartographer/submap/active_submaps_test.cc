@@ -58,6 +58,17 @@ TEST(ActiveSubmapsTest, EachScanGoesIntoTwoSubmapsOnceTheDriveIsUnderWay) {
   }
 }
 
+TEST(ActiveSubmapsTest, NoMoreThanTwoGrowIfTheNumberOfScansIsOdd) {
+  const LabelSet labels = Labels();
+  ActiveSubmaps active(Options(5), labels);
+  for (int scan = 0; scan < 20; ++scan) {
+    EXPECT_EQ(active.AddScan({}, {}, Rigid3d()).size(), scan < 3        ? 1
+                                                        : scan % 3 == 2 ? 1
+                                                                        : 2)
+        << scan;
+  }
+}
+
 TEST(ActiveSubmapsTest, SubmapsAreLevelAndHoldPointsInTheirOwnFrame) {
   const LabelSet labels = Labels();
   const Label road = *labels.FromName("road");

@@ -62,6 +62,9 @@ TEST(DeskewTest, NothingToUndoWithoutUsefulTimes) {
   EXPECT_FALSE(SweepMotion::Create({}, FastTurn()).has_value());
   EXPECT_FALSE(SweepMotion::Create({0.05f, 0.05f, 0.05f}, FastTurn()).has_value());
   EXPECT_FALSE(SweepMotion::Create({kNan, 0.05f, kNan}, FastTurn()).has_value());
+  // Shorter than any sweep, and longer than can be computed with.
+  EXPECT_FALSE(SweepMotion::Create({-1e-45f, 0.f, 0.f}, FastTurn()).has_value());
+  EXPECT_FALSE(SweepMotion::Create({-3e38f, 3e38f}, FastTurn()).has_value());
 }
 
 TEST(DeskewTest, PointsWithoutATimeStay) {
