@@ -85,7 +85,8 @@ OptimizationReport OptimizeGraph(const proto::OptimizationOptions& options, Grap
   }
   GraphProblem problem(options, *graph, selection, chains);
   const std::vector<bool> plausible = FindPlausibleLoops(options, selection, chains);
-  if (!SolveRobustly(options, plausible, &problem, &report)) return report;
+  report.usable = SolveRobustly(options, plausible, &problem, &report);
+  if (!report.usable) return report;
   problem.WriteTo(graph);
   report.correction_per_m = problem.SystematicErrors();
   return report;

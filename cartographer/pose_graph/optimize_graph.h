@@ -13,6 +13,8 @@
 namespace cartographer::pose_graph {
 
 struct OptimizationReport {
+  // False if the solver failed: the graph is as it was.
+  bool usable = true;
   // False if the limit of iterations came first, or if the solver failed.
   bool converged = true;
   int iterations = 0;

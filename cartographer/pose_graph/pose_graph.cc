@@ -281,7 +281,7 @@ void PoseGraph::ForgetLonely(const Topology& topology) {
 }
 
 void PoseGraph::Optimize() {
-  OptimizeGraph(options_.optimization(), &graph_);
+  last_optimization_ = OptimizeGraph(options_.optimization(), &graph_);
   if (!last_node_.has_value()) return;
   const PlacedNode& last = graph_.nodes.at(*last_node_);
   map_from_local_ = last.map_from_node * last.local_from_node.inverse();

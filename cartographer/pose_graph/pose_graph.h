@@ -18,6 +18,7 @@
 #include "cartographer/pose_graph/closure_search.h"
 #include "cartographer/pose_graph/graph.h"
 #include "cartographer/pose_graph/node_search.h"
+#include "cartographer/pose_graph/optimize_graph.h"
 #include "cartographer/pose_graph/proto/pose_graph_options.pb.h"
 #include "cartographer/pose_graph/topology.h"
 #include "cartographer/sensor/label_set.h"
@@ -92,6 +93,8 @@ class PoseGraph {
   const std::map<submap::NodeId, NodeSearch>& searches() const { return searches_; }
   // Those of the last round; empty if none was run by the last AddNode().
   const std::vector<NodeOutcome>& last_outcomes() const { return last_outcomes_; }
+  // How the last optimization went; of no loops before the first.
+  const OptimizationReport& last_optimization() const { return last_optimization_; }
 
  private:
   using Nodes = std::vector<submap::NodeId>;
@@ -144,6 +147,7 @@ class PoseGraph {
   VerdictCounts verdicts_;
   std::map<submap::NodeId, std::string> outcome_of_node_;  // of the round that runs
   std::vector<NodeOutcome> last_outcomes_;
+  OptimizationReport last_optimization_;
 };
 
 }  // namespace cartographer::pose_graph

@@ -64,6 +64,9 @@ class MapBuilder {
   const std::map<submap::NodeId, pose_graph::NodeSearch>& closure_searches() const {
     return pose_graph_->searches();
   }
+  const pose_graph::OptimizationReport& last_optimization() const {
+    return pose_graph_->last_optimization();
+  }
 
  private:
   void AddNode(LocalResult* result);

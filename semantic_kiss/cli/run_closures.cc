@@ -105,6 +105,7 @@ RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder, co
   RunClosures result;
   result.closures = map_builder.closures();
   result.verdicts = map_builder.closure_verdicts();
+  result.optimization = map_builder.last_optimization();
   for (const auto& [node_id, search] : map_builder.closure_searches()) {
     if (search.best_rejected.has_value()) result.rejected.emplace(node_id, search);
   }
@@ -151,6 +152,10 @@ Json ClosureSearchJson(const RunClosures& closures) {
   json["revisited_m"] = known ? Json(closures.coverage->revisited_m) : Json();
   const auto share = known ? closures.coverage->ClosedShare() : std::nullopt;
   json["closed_share"] = share.has_value() ? Json(*share) : Json();
+  json["optimization"] = {{"solved", closures.optimization.usable},
+                          {"converged", closures.optimization.converged},
+                          {"loops", closures.optimization.num_loops},
+                          {"loops_outweighed", closures.optimization.num_rejected}};
   json["rejected"] = Json::array();
   for (const auto& [node_id, search] : closures.rejected) {
     json["rejected"].push_back(RejectedJson(node_id, search));
@@ -169,6 +174,15 @@ std::string ClosuresLine(const RunClosures& closures) {
   if (share.has_value()) {
     absl::StrAppendFormat(&line, "; %.0f %% of %.0f m revisited are closed", 100. * *share,
                           closures.coverage->revisited_m);
+  }
+  const auto& optimization = closures.optimization;
+  if (optimization.num_rejected > 0) {
+    absl::StrAppend(&line, "; ", optimization.num_rejected, " outweighed by the others");
+  }
+  if (!optimization.usable) {
+    absl::StrAppend(&line, "; the optimization failed, the map is as the odometry has it");
+  } else if (!optimization.converged) {
+    absl::StrAppend(&line, "; the optimization did not converge");
   }
   return line;
 }

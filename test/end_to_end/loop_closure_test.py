@@ -43,6 +43,16 @@ class LoopClosureTest(ProgramTest):
         self.assertEqual(search["candidates"]["accepted"], len(run["loop_closures"]))
         self.assertGreater(search["revisited_m"], 60)
         self.assertGreater(search["closed_share"], 0.8)
+        self.assertEqual(search["optimization"],
+                         {"solved": True, "converged": True, "loops_outweighed": 0,
+                          "loops": len(run["loop_closures"])})
+
+    def test_an_optimization_that_was_cut_short_is_told(self):
+        write(self.path("mine.lua"), 'include "semantic_kiss_6dof.lua"\n'
+              "RUN.pose_graph.optimization.max_iterations = 1\nreturn RUN\n")
+        summary = self.succeed("run", f"--config={self.path('mine.lua')}",
+                               f"--dataset={self.ring}", f"--output={self.path('out')}")
+        self.assertIn("the optimization did not converge", summary)
 
     def test_closing_loops_makes_the_trajectory_better(self):
         odometry = self.drive("semantic_kiss.lua", output="odometry")
