@@ -175,6 +175,12 @@ absl::StatusOr<map::Constraint> ConstraintFromProto(const ProtoConstraint& proto
   constraint.kind = proto.tag() == ProtoConstraint::INTRA_SUBMAP
                         ? map::Constraint::Kind::kIntraSubmap
                         : map::Constraint::Kind::kInterSubmap;
+  if (constraint.kind == map::Constraint::Kind::kIntraSubmap &&
+      constraint.node_id.trajectory_id != constraint.submap_id.trajectory_id) {
+    return absl::DataLossError(absl::StrCat(Name(constraint.node_id), " cannot be in ",
+                                            Name(constraint.submap_id),
+                                            ", which is of another trajectory"));
+  }
   return constraint;
 }
 

@@ -88,6 +88,12 @@ TEST(PoseGraphProtoTest, ConstraintsAreChecked) {
             "constraint 1: the weight nan is negative or not finite");
   EXPECT_EQ(error_of([](ProtoConstraint* c) { c->set_tag(static_cast<ProtoConstraint::Tag>(7)); }),
             "constraint 1: unknown kind 7");
+  EXPECT_EQ(error_of([](ProtoConstraint* c) {
+              c->mutable_submap_id()->set_trajectory_id(4);
+              c->mutable_submap_id()->set_submap_index(0);
+              c->set_tag(ProtoConstraint::INTRA_SUBMAP);
+            }),
+            "constraint 1: node (1, 4) cannot be in submap (4, 0), which is of another trajectory");
   EXPECT_THAT(error_of([](ProtoConstraint* c) { c->clear_relative_pose(); }),
               HasSubstr("constraint 1: the rotation"));
 }
