@@ -76,7 +76,7 @@ std::vector<Viewer> ViewersOf(const Map& map) {
     }
     viewer.height_m = placed.map_from_submap.translation().z();
     viewer.resolution_m = placed.submap->grid.resolution_m();
-    viewer.map_from_grid = MapFromGrid(placed);
+    viewer.map_from_grid = submap::MapFromGrid(placed);
     viewers.push_back(viewer);
   }
   return viewers;

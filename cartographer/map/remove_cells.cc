@@ -68,7 +68,7 @@ SplitGrid Split(const SemanticGrid& grid, const sensor::LabelMask& labels, const
 std::optional<SemanticGrid> RemoveCells(const Region& region, const sensor::LabelMask& labels,
                                         const CellRule& rule, MapSubmap* placed) {
   const SemanticGrid& grid = placed->submap->grid;
-  const Eigen::Isometry2d map_from_grid = MapFromGrid(*placed);
+  const Eigen::Isometry2d map_from_grid = submap::MapFromGrid(*placed);
   SplitGrid split = Split(grid, labels, [&](sensor::Label label, const CellIndex& cell, int hits) {
     return region.Contains(map_from_grid * grid.CenterOf(cell)) && rule(label, cell, hits);
   });
@@ -80,13 +80,6 @@ std::optional<SemanticGrid> RemoveCells(const Region& region, const sensor::Labe
 }
 
 }  // namespace
-
-Eigen::Isometry2d MapFromGrid(const MapSubmap& placed) {
-  Eigen::Isometry2d map_from_grid = Eigen::Isometry2d::Identity();
-  map_from_grid.translate(placed.map_from_submap.translation().head<2>());
-  map_from_grid.rotate(transform::Yaw(placed.map_from_submap.rotation()));
-  return map_from_grid;
-}
 
 LostCells RemoveCells(const FilterScope& scope, const sensor::LabelMask& labels,
                       const std::function<CellRule(const submap::SubmapId&)>& rule_of, Map* map) {

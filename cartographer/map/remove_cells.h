@@ -16,10 +16,6 @@
 
 namespace cartographer::map {
 
-// Where a submap's grid lies in the map seen from above; the pose's roll and pitch are ignored, as
-// in pictures.
-Eigen::Isometry2d MapFromGrid(const MapSubmap& placed);
-
 // Whether a label's hits (> 0) go from a cell of a submap. Empty: none go.
 using CellRule = std::function<bool(sensor::Label label, const submap::CellIndex& cell, int hits)>;
 

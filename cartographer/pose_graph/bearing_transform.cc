@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cartographer/pose_graph/parabola.h"
 #include "glog/logging.h"
 
 namespace cartographer::pose_graph {
@@ -18,13 +19,6 @@ constexpr int kMaxHeadings = kHeadingsPerHarmonic * BearingTransform::kMaxHarmon
 constexpr int kLanes = 4;
 
 int NumBlocks(int num_harmonics) { return (num_harmonics + kLanes - 1) / kLanes; }
-
-// Where the parabola through three equidistant values has its top, in steps from the middle one,
-// which is not smaller than the others.
-double TopOfParabola(double left, double middle, double right) {
-  const double curvature = left - 2. * middle + right;
-  return curvature < 0. ? 0.5 * (left - right) / curvature : 0.;
-}
 
 }  // namespace
 

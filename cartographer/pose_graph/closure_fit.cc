@@ -19,10 +19,6 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kRadiansPerDegree = M_PI / 180.;
 
-bool Agree(sensor::Label a, sensor::Label b) {
-  return a == b || a == sensor::kUnlabeled || b == sensor::kUnlabeled;
-}
-
 // Sums over the pairs of a cloud.
 struct Sums {
   int num_judged = 0;
@@ -77,7 +73,8 @@ Sums SumOverPoints(const sensor::LabeledPointCloud& cloud,
     if (!neighbor.has_value()) continue;
     sums.num_overlapping += judged ? 1 : 0;
     const double squared_distance = (neighbor->position - point).squaredNorm();
-    if (squared_distance > inlier_squared || !Agree(cloud.labels[i], neighbor->label)) continue;
+    if (squared_distance > inlier_squared || !sensor::LabelsAgree(cloud.labels[i], neighbor->label))
+      continue;
     sums.AddInformation(
         in_node,
         rotation.transpose() * target.surfaces().InformationAt(neighbor->position) * rotation);

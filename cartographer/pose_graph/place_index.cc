@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cartographer/common/parallel.h"
+#include "cartographer/pose_graph/parabola.h"
 #include "glog/logging.h"
 
 namespace cartographer::pose_graph {
@@ -14,13 +15,6 @@ namespace {
 
 // Small enough to occupy all threads, large enough that the query stays in the cache.
 constexpr size_t kPlacesPerChunk = 32;
-
-// Three values at -1, 0, 1, of which the middle one is the largest: where the parabola through them
-// has its top.
-double TopOfParabola(double left, double middle, double right) {
-  const double curvature = left - 2. * middle + right;
-  return curvature < 0. ? 0.5 * (left - right) / curvature : 0.;
-}
 
 template <typename Candidate>
 bool IsBetter(const Candidate& a, const Candidate& b) {

@@ -8,8 +8,8 @@
 
 #include "cartographer/common/status.h"
 #include "cartographer/pose_graph/agreement.h"
+#include "cartographer/pose_graph/erase_keys.h"
 #include "cartographer/pose_graph/join_groups.h"
-#include "cartographer/pose_graph/optimize_graph.h"
 #include "cartographer/pose_graph/trim.h"
 #include "cartographer/pose_graph/verify_closure.h"
 #include "glog/logging.h"
@@ -28,13 +28,6 @@ template <typename Container, typename Predicate>
 void RemoveIf(Container* container, const Predicate& predicate) {
   container->erase(std::remove_if(container->begin(), container->end(), predicate),
                    container->end());
-}
-
-template <typename Map, typename Predicate>
-void EraseKeysIf(Map* map, const Predicate& predicate) {
-  for (auto it = map->begin(); it != map->end();) {
-    it = predicate(it->first) ? map->erase(it) : std::next(it);
-  }
 }
 
 double Distance_m(const PlacedNode& a, const PlacedNode& b) {

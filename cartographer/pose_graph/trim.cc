@@ -7,19 +7,14 @@
 #include <limits>
 #include <set>
 
+#include "cartographer/pose_graph/erase_keys.h"
+
 namespace cartographer::pose_graph {
 namespace {
 
 using submap::Constraint;
 using submap::NodeId;
 using submap::SubmapId;
-
-template <typename Entries, typename Predicate>
-void EraseIf(Entries* entries, const Predicate& predicate) {
-  for (auto it = entries->begin(); it != entries->end();) {
-    it = predicate(it->first) ? entries->erase(it) : std::next(it);
-  }
-}
 
 // Constraints whose node or submap is gone.
 void RemoveDangling(Graph* graph) {
@@ -44,8 +39,8 @@ void TrimBefore(const NodeId& first_kept, Graph* graph) {
     const bool inside = constraint.kind == Constraint::Kind::kIntraSubmap;
     if (inside && !is_before(constraint.node_id)) held.insert(constraint.submap_id);
   }
-  EraseIf(&graph->nodes, is_before);
-  EraseIf(&graph->submaps, [&](const SubmapId& id) {
+  EraseKeysIf(&graph->nodes, is_before);
+  EraseKeysIf(&graph->submaps, [&](const SubmapId& id) {
     return id.trajectory_id == trajectory_id && held.count(id) == 0 &&
            graph->submaps.at(id).submap->finished;
   });
@@ -53,8 +48,9 @@ void TrimBefore(const NodeId& first_kept, Graph* graph) {
 }
 
 void RemoveTrajectory(int trajectory_id, Graph* graph) {
-  EraseIf(&graph->nodes, [=](const NodeId& id) { return id.trajectory_id == trajectory_id; });
-  EraseIf(&graph->submaps, [=](const SubmapId& id) { return id.trajectory_id == trajectory_id; });
+  EraseKeysIf(&graph->nodes, [=](const NodeId& id) { return id.trajectory_id == trajectory_id; });
+  EraseKeysIf(&graph->submaps,
+              [=](const SubmapId& id) { return id.trajectory_id == trajectory_id; });
   RemoveDangling(graph);
 }
 

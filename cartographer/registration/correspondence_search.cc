@@ -11,11 +11,6 @@ namespace {
 // The map's distances are floats; what they promise is trusted less this much [m].
 constexpr double kRoundOff = 1e-5;
 
-// Whether there is nothing in which two labels differ.
-bool LabelsAgree(sensor::Label a, sensor::Label b) {
-  return a == b || a == sensor::kUnlabeled || b == sensor::kUnlabeled;
-}
-
 }  // namespace
 
 void CorrespondenceSearch::Search(const Eigen::Vector3d& query, sensor::Label label,
@@ -45,7 +40,7 @@ void CorrespondenceSearch::SearchPreferred(const Eigen::Vector3d& query, sensor:
   memory->free_motion_m = nearest.others_beyond_m - kRoundOff;
   if (!nearest.neighbor.has_value()) return;
   const double distance = (nearest.neighbor->position - query).norm();
-  const bool agrees = LabelsAgree(label, nearest.neighbor->label);
+  const bool agrees = sensor::LabelsAgree(label, nearest.neighbor->label);
   memory->free_motion_m -= distance * (agrees ? std::sqrt(agreeing_factor_) : 1.);
   memory->free_motion_m /= 2.;
 }

@@ -15,6 +15,11 @@ namespace cartographer::sensor {
 enum class Label : uint8_t {};
 inline constexpr Label kUnlabeled{0};
 
+// Whether there is nothing in which two labels differ: they are the same, or one says nothing.
+constexpr bool LabelsAgree(Label a, Label b) {
+  return a == b || a == kUnlabeled || b == kUnlabeled;
+}
+
 inline constexpr size_t kMaxLabels = 256;
 
 constexpr size_t Index(Label label) { return static_cast<size_t>(label); }

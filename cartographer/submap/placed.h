@@ -4,6 +4,7 @@
 #ifndef CARTOGRAPHER_SUBMAP_PLACED_H_
 #define CARTOGRAPHER_SUBMAP_PLACED_H_
 
+#include <Eigen/Geometry>
 #include <memory>
 
 #include "cartographer/common/time.h"
@@ -18,6 +19,10 @@ struct PlacedSubmap {
   transform::Rigid3d map_from_submap;
   std::shared_ptr<const Submap> submap;
 };
+
+// Where its grid lies in the map seen from above; the pose's roll and pitch are ignored, as in
+// pictures.
+Eigen::Isometry2d MapFromGrid(const PlacedSubmap& placed);
 
 // A node, a scan that went into submaps, placed in the map.
 struct PlacedNode {

@@ -30,9 +30,9 @@ class ProbabilityGrid {
     return (position / resolution_m_).array().floor().cast<int>();
   }
 
-  // Adds a scan taken at `origin` that hit `points`, both in the grid's frame [m], finite; none tell nothing. Of rays
-  // that are less than a cell apart all the way only the longest is cast: it passes through the
-  // cells of the others as well.
+  // Adds a scan taken at `origin` that hit `points`, both in the grid's frame [m], finite; none
+  // tell nothing. Of rays that are less than a cell apart all the way only the longest is cast: it
+  // passes through the cells of the others as well.
   void InsertScan(const Eigen::Vector2d& origin, const std::vector<Eigen::Vector2d>& points);
 
   bool IsKnown(const CellIndex& cell) const { return LogOddsOf(cell) != kUnknown; }

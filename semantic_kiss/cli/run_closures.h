@@ -44,8 +44,8 @@ RunClosures GatherClosures(const cartographer::slam::MapBuilder& map_builder,
 // The value of "loop_closures" in run.json, in the order in which they were accepted.
 nlohmann::ordered_json ClosuresJson(const RunClosures& closures);
 
-// The value of "closure_search": candidates by verdict, coverage, how the optimization went, and for
-// each node with rejected candidates the one that came furthest.
+// The value of "closure_search": candidates by verdict, coverage, how the optimization went, and
+// for each node with rejected candidates the one that came furthest.
 nlohmann::ordered_json ClosureSearchJson(const RunClosures& closures);
 
 // One line for people: "57 of 412 candidates accepted, none false; 93 % of 640 m revisited closed".

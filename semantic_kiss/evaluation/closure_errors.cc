@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "glog/logging.h"
+#include "semantic_kiss/evaluation/relative_error.h"
 
 namespace semantic_kiss::evaluation {
 namespace {
@@ -26,14 +27,6 @@ ClosureError ErrorInPlane(const Rigid3d& claimed, const Rigid3d& actual) {
 ClosureError ErrorInSpace(const Rigid3d& claimed, const Rigid3d& actual) {
   const Rigid3d error = claimed.inverse() * actual;
   return {error.translation().norm(), cartographer::transform::RotationAngle(error) * 180. / M_PI};
-}
-
-std::vector<double> DrivenTo(const std::vector<Rigid3d>& truth) {
-  std::vector<double> driven_m(truth.size(), 0.);
-  for (size_t i = 1; i < truth.size(); ++i) {
-    driven_m[i] = driven_m[i - 1] + (truth[i].translation() - truth[i - 1].translation()).norm();
-  }
-  return driven_m;
 }
 
 // Scans by squares of the plane, so that neighbours are found without looking at all.
@@ -108,7 +101,7 @@ std::vector<ClosureError> ClosureErrors(const std::vector<ClosureClaim>& claims,
 RevisitCoverage ComputeRevisitCoverage(const std::vector<ClosureClaim>& claims,
                                        const std::vector<Rigid3d>& truth,
                                        const RevisitOptions& options) {
-  const std::vector<double> driven_m = DrivenTo(truth);
+  const std::vector<double> driven_m = DrivenDistances(truth);
   const std::vector<bool> revisits = FindRevisits(truth, driven_m, options);
   std::vector<double> closed_at_m;
   for (const ClosureClaim& claim : claims) closed_at_m.push_back(driven_m[claim.revisit]);

@@ -27,13 +27,6 @@ constexpr double kReach_m = 50.;
 constexpr int kPngEffort = 1;
 constexpr uint8_t kUnlabeledOpacity = 90;
 
-Eigen::Isometry2d InPlane(const Rigid3d& pose) {
-  Eigen::Isometry2d result = Eigen::Isometry2d::Identity();
-  result.translate(pose.translation().head<2>());
-  result.rotate(cartographer::transform::Yaw(pose.rotation()));
-  return result;
-}
-
 Eigen::AlignedBox2d BoundsOf(const RasterFrame& frame) {
   Eigen::AlignedBox2d box;
   if (frame.size() == 0) return box;
@@ -96,7 +89,7 @@ void Picture::Add(const PlacedSubmap& placed) {
       cartographer::io::BoundsInMap(placed.submap->grid, placed.map_from_submap);
   if (bounds.isEmpty()) return;
   MakeRoom(bounds);
-  const Eigen::Isometry2d map_from_grid = InPlane(placed.map_from_submap);
+  const Eigen::Isometry2d map_from_grid = cartographer::submap::MapFromGrid(placed);
   const SemanticGrid& grid = placed.submap->grid;
   constexpr int kSize = SemanticGrid::kTileSize;
   for (const auto& [index, tile] : grid.DominantTiles()) {
