@@ -5,7 +5,11 @@
 
 #include <cstdlib>
 #include <initializer_list>
+#include <string>
 
+#include "absl/strings/str_cat.h"
+#include "absl/strings/string_view.h"
+#include "cartographer/common/cpu_time.h"
 #include "glog/logging.h"
 
 namespace cartographer::common {
@@ -35,12 +39,8 @@ function pairs(entries)
 end
 )lua";
 
-void StopEndlessLoop(lua_State* lua, lua_Debug* where) {
-  lua_getinfo(lua, "Sl", where);
-  lua_pushfstring(lua, "%s:%d: stopped after %d instructions; is there an endless loop?",
-                  where->short_src, where->currentline, LuaSandbox::kMaxInstructions);
-  lua_error(lua);
-}
+// So few that what runs between two looks ends soon, even if each instruction sorts a long list.
+constexpr int kInstructionsPerLook = 100;
 
 // Replaces the table on top of the stack by a new one with only `names` in it.
 void KeepOnly(lua_State* lua, std::initializer_list<const char*> names) {
@@ -60,6 +60,24 @@ void OpenLibrary(lua_State* lua, const char* name, lua_CFunction open,
   lua_setfield(lua, -2, name);
 }
 
+// string.rep, its upvalue, but for nothing repeated for ever: the one call that neither memory nor
+// instructions would limit.
+int Repeat(lua_State* lua) {
+  size_t text_size = 0, separator_size = 0;
+  luaL_checklstring(lua, 1, &text_size);
+  luaL_optlstring(lua, 3, "", &separator_size);
+  if (text_size > 0 || separator_size > 0) {
+    return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
+  }
+  lua_pushliteral(lua, "");
+  return 1;
+}
+
+void Run(lua_State* lua, absl::string_view source, const char* name) {
+  if (luaL_loadbufferx(lua, source.data(), source.size(), name, "t") != LUA_OK) lua_error(lua);
+  lua_call(lua, 0, 0);
+}
+
 int OpenLibraries(lua_State* lua) {
   luaL_requiref(lua, "_G", luaopen_base, 0);
   KeepOnly(lua, {"assert", "error", "ipairs", "next", "rawequal", "rawget", "rawlen", "rawset",
@@ -72,6 +90,11 @@ int OpenLibraries(lua_State* lua) {
               {"abs",  "acos", "asin", "atan", "ceil",       "cos",  "deg",        "exp",  "floor",
                "fmod", "huge", "log",  "max",  "maxinteger", "min",  "mininteger", "modf", "pi",
                "rad",  "sin",  "sqrt", "tan",  "tointeger",  "type", "ult"});
+  lua_getfield(lua, -1, LUA_STRLIBNAME);
+  lua_getfield(lua, -1, "rep");
+  lua_pushcclosure(lua, Repeat, 1);
+  lua_setfield(lua, -2, "rep");
+  lua_pop(lua, 1);
   // Methods of strings, ("x"):upper(), come from the reduced library as well.
   lua_pushliteral(lua, "");
   lua_getmetatable(lua, -1);
@@ -80,10 +103,7 @@ int OpenLibraries(lua_State* lua) {
   lua_pop(lua, 2);
 
   lua_rawseti(lua, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
-  if (luaL_loadbufferx(lua, kSortedPairs, sizeof(kSortedPairs) - 1, "=pairs", "t") != LUA_OK) {
-    return lua_error(lua);
-  }
-  lua_call(lua, 0, 0);
+  Run(lua, kSortedPairs, "=pairs");
   lua_pushnil(lua);
   lua_setglobal(lua, "next");
   return 0;
@@ -91,14 +111,32 @@ int OpenLibraries(lua_State* lua) {
 
 }  // namespace
 
-LuaSandbox::LuaSandbox() : state_(lua_newstate(&LuaSandbox::Allocate, this)) {
+LuaSandbox::LuaSandbox(double max_seconds)
+    : max_seconds_(max_seconds),
+      begin_s_(ThreadCpuSeconds()),
+      state_(lua_newstate(&LuaSandbox::Allocate, this)) {
   CHECK(state_ != nullptr) << "no memory for a Lua state";
   lua_pushcfunction(state_, OpenLibraries);
   CHECK_EQ(lua_pcall(state_, 0, 0, 0), LUA_OK) << lua_tostring(state_, -1);
-  lua_sethook(state_, StopEndlessLoop, LUA_MASKCOUNT, kMaxInstructions);
+  lua_sethook(state_, &LuaSandbox::Watch, LUA_MASKCOUNT, kInstructionsPerLook);
 }
 
 LuaSandbox::~LuaSandbox() { lua_close(state_); }
+
+void LuaSandbox::Watch(lua_State* lua, lua_Debug* where) {
+  void* sandbox = nullptr;
+  lua_getallocf(lua, &sandbox);
+  auto* const self = static_cast<LuaSandbox*>(sandbox);
+  self->instructions_ += kInstructionsPerLook;
+  const bool too_many = self->instructions_ >= kMaxInstructions;
+  if (!too_many && ThreadCpuSeconds() - self->begin_s_ < self->max_seconds_) return;
+  lua_getinfo(lua, "Sl", where);
+  const std::string limit = too_many ? absl::StrCat(kMaxInstructions, " instructions")
+                                     : absl::StrCat(self->max_seconds_, " s");
+  lua_pushfstring(lua, "%s:%d: stopped after %s; is there an endless loop?", where->short_src,
+                  where->currentline, limit.c_str());
+  lua_error(lua);
+}
 
 void* LuaSandbox::Allocate(void* sandbox, void* block, size_t old_size, size_t new_size) {
   auto* self = static_cast<LuaSandbox*>(sandbox);

@@ -17,16 +17,19 @@ namespace cartographer::common {
 //    besides loading and printing: pcall (it could swallow the limits' errors), metatables,
 //    patterns and table.move (they can run for ages inside one instruction), random numbers.
 //  - pairs() visits keys in their order, so that a file gives the same values every time.
-//  - After kMaxInstructions, with more than kMaxMemoryBytes in use, or after kMaxAllocatedBytes in
-//    all (a loop that appends to a string spends its time there), Lua raises an error.
+//  - After kMaxInstructions, after kMaxSeconds of processor time (library functions are single
+//    instructions, however long their lists), with more than kMaxMemoryBytes in use, or after
+//    kMaxAllocatedBytes in all (a loop that appends to a string spends its time there), Lua raises
+//    an error.
 // Not thread-safe; one state a file.
 class LuaSandbox {
  public:
   static constexpr int kMaxInstructions = 10'000'000;
+  static constexpr double kMaxSeconds = 10.;
   static constexpr size_t kMaxMemoryBytes = size_t{64} << 20;
   static constexpr size_t kMaxAllocatedBytes = size_t{1} << 30;
 
-  LuaSandbox();
+  explicit LuaSandbox(double max_seconds = kMaxSeconds);
   ~LuaSandbox();
   LuaSandbox(const LuaSandbox&) = delete;
   LuaSandbox& operator=(const LuaSandbox&) = delete;
@@ -34,8 +37,12 @@ class LuaSandbox {
   lua_State* state() { return state_; }
 
  private:
+  static void Watch(lua_State* lua, lua_Debug* where);
   static void* Allocate(void* sandbox, void* block, size_t old_size, size_t new_size);
 
+  const double max_seconds_;
+  const double begin_s_;
+  int instructions_ = 0;
   size_t memory_bytes_ = 0;     // in use
   size_t allocated_bytes_ = 0;  // in all
   lua_State* state_;

@@ -3,32 +3,27 @@
 
 #include "semantic_kiss/live/map_feed.h"
 
-#include <ctime>
+#include "cartographer/common/cpu_time.h"
 
 namespace semantic_kiss::live {
 namespace {
 
+using cartographer::common::ThreadCpuSeconds;
+
 // Drawing takes at most one part in so many of one core.
 constexpr double kRestPerWork = 20.;
-
-// What this thread has worked, whoever else keeps the machine busy.
-double WorkedSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 }  // namespace
 
 void MapFeed::Update(const Snapshot& snapshot) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (version_ > 0 && now_s_() < rests_until_s_) return;
-  const double begin_s = WorkedSeconds();
+  const double begin_s = ThreadCpuSeconds();
   if (!picture_.Draw(snapshot)) return;
   png_ = picture_.Png();
   if (png_.empty()) return;
   ++version_;
-  rests_until_s_ = now_s_() + kRestPerWork * (WorkedSeconds() - begin_s);
+  rests_until_s_ = now_s_() + kRestPerWork * (ThreadCpuSeconds() - begin_s);
 }
 
 nlohmann::ordered_json MapFeed::Description() const {

@@ -15,8 +15,8 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 // What the source returns, as text, or the error.
-std::string Result(const std::string& source) {
-  LuaSandbox sandbox;
+std::string Result(const std::string& source, double max_seconds = LuaSandbox::kMaxSeconds) {
+  LuaSandbox sandbox(max_seconds);
   lua_State* const lua = sandbox.state();
   if (luaL_loadbufferx(lua, source.data(), source.size(), "=source", "t") == LUA_OK) {
     static_cast<void>(lua_pcall(lua, 0, 1, 0));
@@ -66,6 +66,15 @@ TEST(LuaSandboxTest, StopsEndlessLoops) {
   EXPECT_EQ(Result("\nwhile true do end"),
             "source:2: stopped after 10000000 instructions; is there an endless loop?");
   EXPECT_THAT(Result("local function f() return f() end f()"), HasSubstr("stopped after"));
+}
+
+TEST(LuaSandboxTest, StopsWhatIsLongWithinFewInstructions) {
+  EXPECT_EQ(Result("return ''..('').rep('', math.maxinteger)"), "");
+  EXPECT_EQ(Result("return ('ab'):rep(2, '-')"), "ab-ab");
+  constexpr double kMaxSeconds = 0.2;
+  EXPECT_EQ(Result("local t = {} for i = 1, 400000 do table.insert(t, 1, 0) end return 'done'",
+                   kMaxSeconds),
+            "source:1: stopped after 0.2 s; is there an endless loop?");
 }
 
 TEST(LuaSandboxTest, StopsEndlessRecursion) {
