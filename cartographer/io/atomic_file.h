@@ -15,7 +15,9 @@ namespace cartographer::io {
 
 // A file that appears whole or not at all. Bytes go to a hidden temporary file beside the target;
 // Commit() makes them durable and gives them the target's name in one step, replacing a file that
-// had it. Until then, and if anything fails, whatever stood under that name stays as it was.
+// had it. Until then, and if anything before that step fails, whatever stood under that name stays
+// as it was. (If the directory cannot be made durable after it, the file is there, but the error
+// says that it may be gone after a power cut.)
 //
 // The target may not exist yet, be a regular file, or a symbolic link to one (the file that the
 // link points to is replaced); anything else, such as a directory or a device, is an error.

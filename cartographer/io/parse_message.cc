@@ -44,6 +44,8 @@ class MemoryBudget {
 
  private:
   bool SpendField(CodedInputStream* input, uint32_t tag, const FieldDescriptor* field) {
+    // None of our messages has groups, and within an unknown one objects would go uncounted.
+    if (WireFormatLite::GetTagWireType(tag) == WireFormatLite::WIRETYPE_START_GROUP) return false;
     const bool delimited =
         WireFormatLite::GetTagWireType(tag) == WireFormatLite::WIRETYPE_LENGTH_DELIMITED;
     const bool packed = delimited && field != nullptr && field->is_packable();

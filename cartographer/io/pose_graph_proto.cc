@@ -19,6 +19,9 @@
 namespace cartographer::io {
 namespace {
 
+// So that further trajectories can be numbered on from it, and maps be joined.
+constexpr int kMaxTrajectoryId = 1'000'000'000;
+
 using ProtoConstraint = mapping::proto::PoseGraph::Constraint;
 
 std::map<int, mapping::proto::Trajectory> Trajectories(const map::Map& map) {
@@ -117,6 +120,10 @@ absl::Status AddTrajectory(const mapping::proto::Trajectory& proto, PoseGraph* g
   const auto& ids = graph->trajectory_ids;
   if (id < 0 || std::find(ids.begin(), ids.end(), id) != ids.end()) {
     return absl::DataLossError(absl::StrCat("trajectory ", id, " is listed twice or negative"));
+  }
+  if (id > kMaxTrajectoryId) {
+    return absl::DataLossError(
+        absl::StrCat("trajectory ", id, " has a number above ", kMaxTrajectoryId));
   }
   graph->trajectory_ids.push_back(id);
   for (const auto& node : proto.node()) {

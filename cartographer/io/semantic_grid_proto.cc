@@ -19,8 +19,6 @@ using submap::SemanticGrid;
 
 // Bounds of cells in such tiles still fit an int.
 constexpr int64_t kMaxTileIndex = int64_t{1} << 26;
-// 256 MiB of tiles: what one submap may take at most when a file is read.
-constexpr size_t kMaxTiles = size_t{1} << 19;
 constexpr double kMinResolution_m = 1e-3;
 constexpr double kMaxResolution_m = 1e3;
 

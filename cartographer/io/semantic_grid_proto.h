@@ -12,6 +12,9 @@
 
 namespace cartographer::io {
 
+// 256 MiB of tiles: what one submap may take at most when a file is read.
+inline constexpr size_t kMaxTiles = size_t{1} << 19;
+
 // The multi-layer grid as maps hold it, loss-free: see SemanticGrid in semantic_map.proto.
 
 // Tiles farther than 2^26 tiles from the origin cannot be stored, nor labels not below

@@ -12,6 +12,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
+#include "cartographer/io/semantic_grid_proto.h"
 
 namespace cartographer::io {
 namespace {
@@ -269,6 +270,9 @@ absl::StatusOr<SemanticGrid> FromStockGrid(const mapping::proto::Grid2D& proto,
         corner - Eigen::Vector2d(cell / num_x_cells + 0.5, cell % num_x_cells + 0.5);
     grid.AddHits(sensor::kUnlabeled,
                  ((submap_from_local * centre).array() + kTieBreak).floor().cast<int>(), hits);
+    if (grid.num_tiles() > kMaxTiles) {
+      return absl::DataLossError(absl::StrCat("a grid with more than ", kMaxTiles, " tiles"));
+    }
   }
   return grid;
 }

@@ -6,6 +6,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "cartographer/common/status.h"
+#include "cartographer/map/trajectories.h"
 
 namespace cartographer::map {
 namespace {
@@ -22,13 +23,6 @@ absl::Status CheckKnown(const Ids& ids, const std::set<int>& known) {
 }
 
 }  // namespace
-
-std::set<int> TrajectoriesOf(const Map& map) {
-  std::set<int> ids;
-  for (const auto& [id, node] : map.nodes) ids.insert(id.trajectory_id);
-  for (const auto& [id, submap] : map.submaps) ids.insert(id.trajectory_id);
-  return ids;
-}
 
 absl::StatusOr<FilterScope> FilterScope::Create(const proto::FilterOptions& options,
                                                 const Map& map) {

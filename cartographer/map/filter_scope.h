@@ -28,10 +28,6 @@ struct FilterScope {
     return trajectories.count(id.trajectory_id) > 0;
   }
 };
-
-// The trajectories that a map has nodes or submaps of.
-std::set<int> TrajectoriesOf(const Map& map);
-
 }  // namespace cartographer::map
 
 #endif  // CARTOGRAPHER_MAP_FILTER_SCOPE_H_

@@ -39,7 +39,7 @@ class CandidateFinder {
   // For each node in turn: the submaps near where the map has it.
   std::vector<ClosureCandidate> Nearby(const std::vector<submap::NodeId>& node_ids,
                                        const Graph& graph, const Topology& topology) const;
-  // For each node in turn: the submaps that look like its own, which must be finished (CHECKed),
+  // For each node in turn: the submaps that look like its own, which must be finished,
   // among those that the estimate neither finds nor rules out.
   std::vector<ClosureCandidate> ByPlace(const std::vector<submap::NodeId>& node_ids,
                                         const Graph& graph, const Topology& topology) const;

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "cartographer/map/trajectories.h"
+
 namespace cartographer::slam {
 
 pose_graph::Graph GraphOf(const map::Map& map) {
@@ -17,7 +19,7 @@ pose_graph::Graph GraphOf(const map::Map& map) {
 
 pose_graph::Graph FrozenGraphOf(const map::Map& map) {
   pose_graph::Graph graph = GraphOf(map);
-  graph.frozen_trajectories = TrajectoriesOf(map);
+  graph.frozen_trajectories = map::TrajectoriesOf(map);
   for (auto& [id, node] : graph.nodes) node.local_from_node = node.map_from_node;
   return graph;
 }
@@ -31,15 +33,8 @@ map::Map MapOf(pose_graph::Graph graph, const sensor::LabelSet& labels) {
   return map;
 }
 
-std::set<int> TrajectoriesOf(const map::Map& map) {
-  std::set<int> ids;
-  for (const auto& [id, node] : map.nodes) ids.insert(id.trajectory_id);
-  for (const auto& [id, submap] : map.submaps) ids.insert(id.trajectory_id);
-  return ids;
-}
-
 int NextTrajectoryId(const map::Map& map) {
-  const std::set<int> ids = TrajectoriesOf(map);
+  const std::set<int> ids = map::TrajectoriesOf(map);
   return ids.empty() ? 0 : *ids.rbegin() + 1;
 }
 

@@ -22,8 +22,6 @@ pose_graph::Graph FrozenGraphOf(const map::Map& map);
 // The way back; configuration and history are left to the caller.
 map::Map MapOf(pose_graph::Graph graph, const sensor::LabelSet& labels);
 
-std::set<int> TrajectoriesOf(const map::Map& map);
-
 // The smallest number that is larger than those of all trajectories; 0 for an empty map.
 int NextTrajectoryId(const map::Map& map);
 

@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "cartographer/map/renumber.h"
+#include "cartographer/map/trajectories.h"
 #include "cartographer/slam/graph_of_map.h"
 
 namespace cartographer::slam {
@@ -31,7 +32,7 @@ absl::StatusOr<MergedMap> MergeMaps(const map::Map& first, map::Map second,
                                     const sensor::LabelSet& labels,
                                     std::unique_ptr<pose_graph::PoseGraph> pose_graph) {
   second = map::Renumbered(std::move(second), NextTrajectoryId(first));
-  const std::set<int> ids_of_second = TrajectoriesOf(second);
+  const std::set<int> ids_of_second = map::TrajectoriesOf(second);
   pose_graph->AddMap(GraphOf(first));
   pose_graph->AddMap(GraphOf(second));
   MergedMap merged;

@@ -39,6 +39,8 @@ TEST(PoseGraphProtoTest, TrajectoriesAreChecked) {
   EXPECT_EQ(ErrorOf(proto), "trajectory 1 is listed twice or negative");
   proto.mutable_trajectory(1)->set_trajectory_id(-1);
   EXPECT_EQ(ErrorOf(proto), "trajectory -1 is listed twice or negative");
+  proto.mutable_trajectory(1)->set_trajectory_id(INT32_MAX);
+  EXPECT_EQ(ErrorOf(proto), "trajectory 2147483647 has a number above 1000000000");
 }
 
 TEST(PoseGraphProtoTest, NodesAndSubmapsAreChecked) {

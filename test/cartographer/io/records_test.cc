@@ -145,6 +145,18 @@ TEST_F(RecordsTest, BombsAreRefused) {
               HasSubstr("decompress to over 200 times the file's size"));
 }
 
+TEST_F(RecordsTest, GroupsAreRefusedUnparsed) {
+  // An unknown group of a million empty ones.
+  std::string groups = "\xa3\x06";
+  for (int i = 0; i < 1000000; ++i) groups += "\x0b\x0c";
+  groups += "\xa4\x06";
+  mapping::proto::PoseGraph graph;
+  const MemoryPeak peak;
+  EXPECT_THAT(std::string(ParseMessage(groups, &graph).message()),
+              HasSubstr("is no message of type"));
+  EXPECT_LT(peak.bytes(), 1'000'000u);
+}
+
 TEST_F(RecordsTest, EmptyMessagesByTheMillionAreRefusedUnparsed) {
   std::string constraints;
   for (int i = 0; i < 1000000; ++i) constraints += std::string("\x12\0", 2);

@@ -152,6 +152,18 @@ TEST(StockGridTest, TooLargeGridsAreAnError) {
   EXPECT_FALSE(CheckFitsStockGrid(street, turned).ok());
 }
 
+TEST(StockGridTest, GridsThatWouldTakeAllMemoryAreAnError) {
+  SemanticGrid grid(0.1);
+  grid.AddHits(kWall, {0, 0});
+  mapping::proto::Grid2D stock = *ToStockGrid(grid, Ground(), Rigid3d());
+  const int num_cells = 17 * SemanticGrid::kTileSize * 1000 * 40;
+  stock.mutable_limits()->mutable_cell_limits()->set_num_x_cells(1);
+  stock.mutable_limits()->mutable_cell_limits()->set_num_y_cells(num_cells);
+  stock.mutable_cells()->Resize(num_cells, 1);
+  EXPECT_THAT(std::string(FromStockGrid(stock, Rigid3d()).status().message()),
+              HasSubstr("more than 524288 tiles"));
+}
+
 TEST(StockGridTest, CellsLandWhereTheyLie) {
   // Two rows of three: index i runs along -y, j along -x. Only values below 16384 are occupied.
   const auto grid = FromStockGrid(StockGrid({0, 1, 0, 32767, 16000, 20000}, 3), Rigid3d());
