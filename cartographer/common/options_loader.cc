@@ -3,6 +3,8 @@
 
 #include "cartographer/common/options_loader.h"
 
+#include <memory>
+
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/lua_evaluator.h"
 #include "cartographer/common/message_filler.h"
@@ -20,6 +22,11 @@ absl::Status LoadOptionsFromString(const std::string& source, const std::string&
                                    google::protobuf::Message* options) {
   ASSIGN_OR_RETURN(const LuaValue table, EvaluateLuaSource(source, name, include_directories));
   return AddContext(FillMessage(table, options), name);
+}
+
+absl::Status CheckOptions(const google::protobuf::Message& options, const std::string& name) {
+  const std::unique_ptr<google::protobuf::Message> copy(options.New());
+  return LoadOptionsFromString(OptionsToLua(options), name, {}, copy.get());
 }
 
 }  // namespace cartographer::common

@@ -45,6 +45,10 @@ absl::Status LoadOptionsFromString(const std::string& source, const std::string&
                                    const std::vector<std::string>& include_directories,
                                    google::protobuf::Message* options);
 
+// What LoadOptions() would have to say of a message that something else changed as well; `name`
+// stands for the file in errors.
+absl::Status CheckOptions(const google::protobuf::Message& options, const std::string& name);
+
 // The message as a Lua table: what `semantic_kiss config` prints and what maps carry.
 // LoadOptionsFromString() reads a message that LoadOptions() filled back to an equal one, numbers
 // to the last bit. Keys stand in the order of the fields' declaration, keys of maps in their own.

@@ -4,11 +4,13 @@
 #include "semantic_kiss/cli/arguments.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "absl/strings/strip.h"
 #include "cartographer/common/nearest_name.h"
 #include "cartographer/common/status.h"
@@ -79,9 +81,19 @@ absl::StatusOr<FlagArgument> SplitArgument(const Command& command, absl::string_
 absl::Status CheckRange(const Command& command, const FlagInfo& info, const std::string& value) {
   double number;
   if (info.value != FlagValue::kNumber) return absl::OkStatus();
-  if (absl::SimpleAtod(value, &number) && number >= info.at_least) return absl::OkStatus();
-  return UsageError(absl::StrCat("--", info.name, "=", value,
-                                 " is out of range; it must be at least ", info.at_least),
+  if (absl::SimpleAtod(value, &number) && number >= info.at_least && number <= info.at_most) {
+    return absl::OkStatus();
+  }
+  std::vector<std::string> bounds;
+  if (info.at_least > std::numeric_limits<double>::lowest()) {
+    bounds.push_back(absl::StrCat("at least ", info.at_least));
+  }
+  if (info.at_most < std::numeric_limits<double>::max()) {
+    bounds.push_back(absl::StrCat("at most ", info.at_most));
+  }
+  if (bounds.empty()) bounds.push_back("finite");
+  return UsageError(absl::StrCat("--", info.name, "=", value, " is out of range; it must be ",
+                                 absl::StrJoin(bounds, " and ")),
                     command);
 }
 

@@ -13,9 +13,9 @@ namespace semantic_kiss::cli {
 absl::Status CheckOutputIsNotMap(const std::string& map, const std::string& output) {
   std::error_code ignored;  // files that do not exist are not the same
   if (!std::filesystem::equivalent(map, output, ignored)) return absl::OkStatus();
-  return absl::InvalidArgumentError(absl::StrCat("--output=", output,
+  return absl::InvalidArgumentError(absl::StrCat("--output: ", output,
                                                  " is the map itself, which would be lost; name "
-                                                 "another file"));
+                                                 "another place"));
 }
 
 }  // namespace semantic_kiss::cli

@@ -13,6 +13,7 @@
 #include "semantic_kiss/cli/evaluation_text.h"
 #include "semantic_kiss/cli/flags.h"
 #include "semantic_kiss/evaluation/evaluation.h"
+#include "semantic_kiss/report/json_text.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -58,7 +59,8 @@ absl::Status RunEvaluate() {
       evaluation::Evaluate(truth, estimate, frame);
   if (!result.ok()) return AddContext(result.status(), FLAGS_estimate);
   if (FLAGS_json) {
-    std::cout << evaluation::ToJson(evaluation::MetricsOf(*result)).dump(2) << std::endl;
+    std::cout << report::JsonText(evaluation::ToJson(evaluation::MetricsOf(*result)), 2)
+              << std::endl;
   } else {
     std::cout << EvaluationText(*result, static_cast<int>(truth.size()));
   }

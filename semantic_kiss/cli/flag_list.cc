@@ -3,6 +3,8 @@
 
 #include "semantic_kiss/cli/flag_list.h"
 
+#include <cmath>
+
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
@@ -37,8 +39,8 @@ std::vector<std::string> WordsOf(absl::string_view list) {
 }
 
 absl::StatusOr<std::vector<double>> NumbersOf(absl::string_view list) {
-  return ValuesOf<double>(list, "a number", [](const std::string& word, double* value) {
-    return absl::SimpleAtod(word, value);
+  return ValuesOf<double>(list, "a finite number", [](const std::string& word, double* value) {
+    return absl::SimpleAtod(word, value) && std::isfinite(*value);
   });
 }
 

@@ -132,10 +132,10 @@ const std::vector<FlagInfo>& Flags() {
       {"raw", "", G::kOutput, V::kNone},
       {"preview", "FILE", G::kOutput, V::kFile},
       {"preview_scan", "N", G::kOutput, V::kNumber, "the town from above", 0.},
-      {"resolution", "M", G::kOutput, V::kNumber, "as configured", 0.},
+      {"resolution", "M", G::kOutput, V::kNumber, "as configured", 0., 100.},
       {"json", "", G::kOutput, V::kNone},
-      {"threads", "N", G::kExecution, V::kNumber, "all cores", 0.},
-      {"live", "PORT", G::kExecution, V::kNumber, "no page", 0., "0"},
+      {"threads", "N", G::kExecution, V::kNumber, "all cores", 0., 1024.},
+      {"live", "PORT", G::kExecution, V::kNumber, "no page", 0., 65535., "0"},
       {"quiet", "", G::kExecution, V::kNone},
   };
   return flags;

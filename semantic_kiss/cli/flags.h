@@ -77,7 +77,9 @@ struct FlagInfo {
   // How help states the default where the flag's own value would not tell ("all cores").
   std::string default_text{};
   // Smallest number that the flag may be.
-  double at_least = -std::numeric_limits<double>::infinity();
+  double at_least = std::numeric_limits<double>::lowest();
+  // And the largest.
+  double at_most = std::numeric_limits<double>::max();
   // What the flag stands for where it is given without a value; empty: it needs one.
   std::string bare_value{};
 };

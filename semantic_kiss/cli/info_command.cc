@@ -8,6 +8,7 @@
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/flags.h"
 #include "semantic_kiss/cli/map_info.h"
+#include "semantic_kiss/report/json_text.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -16,7 +17,7 @@ absl::Status RunInfo() {
   ASSIGN_OR_RETURN(const cartographer::io::MapSummary summary,
                    cartographer::io::ReadMapSummary(FLAGS_map));
   if (FLAGS_json) {
-    std::cout << MapInfoJson(summary).dump(2) << std::endl;
+    std::cout << report::JsonText(MapInfoJson(summary), 2) << std::endl;
   } else {
     std::cout << MapInfoText(summary);
   }

@@ -70,6 +70,7 @@ absl::StatusOr<Localization> Localize(dataset::ScanSource* scans,
     cartographer::common::Stopwatch reading;
     ASSIGN_OR_RETURN(const cartographer::sensor::LabeledScan scan, scans->Read(i));
     localization.stage_times.Add("reading", reading.Lap());
+    if (i == 0) localization.first_scan = scan.index;
     LocalizedScan localized = relocalizer->AddScan(scan);
     progress->Update(i + 1, std::nullopt, Note(localized));
     Book(std::move(localized), &localization);

@@ -20,6 +20,7 @@ namespace semantic_kiss::cli {
 
 // A drive through a map, as it was localized.
 struct Localization {
+  int first_scan = 0;  // its number in the files
   // One for each scan until a signal stopped the drive; without their stage times.
   std::vector<cartographer::slam::LocalizedScan> scans;
   // As it was known in the end; as many.

@@ -12,6 +12,7 @@
 #include "cartographer/io/trajectory_files.h"
 #include "semantic_kiss/cli/peak_memory.h"
 #include "semantic_kiss/cli/version.h"
+#include "semantic_kiss/report/json_text.h"
 
 namespace semantic_kiss::cli {
 namespace {
@@ -47,12 +48,12 @@ std::vector<Rigid3d> LocalizedPoses(const Localization& localization,
   return io::PosesOfOtherBody(poses, *camera_from_sensor);
 }
 
-Json Poses(const Localization& localization, int first_scan) {
+Json Poses(const Localization& localization) {
   Json poses = Json::array();
   for (size_t i = 0; i < localization.scans.size(); ++i) {
     const LocalizedScan& scan = localization.scans[i];
     const bool localized = scan.map_from_sensor.has_value();
-    Json json = {{"scan", first_scan + static_cast<int>(i)},
+    Json json = {{"scan", localization.first_scan + static_cast<int>(i)},
                  {"state", StateName(scan.state)},
                  {"reason", scan.reason},
                  {"localized", localized},
@@ -69,12 +70,12 @@ Json Poses(const Localization& localization, int first_scan) {
 }
 
 // Where the state changes.
-Json Events(const Localization& localization, int first_scan) {
+Json Events(const Localization& localization) {
   Json events = Json::array();
   for (size_t i = 0; i < localization.scans.size(); ++i) {
     const LocalizedScan& scan = localization.scans[i];
     if (i > 0 && localization.scans[i - 1].state == scan.state) continue;
-    events.push_back({{"scan", first_scan + static_cast<int>(i)},
+    events.push_back({{"scan", localization.first_scan + static_cast<int>(i)},
                       {"state", StateName(scan.state)},
                       {"reason", scan.reason}});
   }
@@ -106,9 +107,9 @@ Json LocalizationJson(const Localization& localization, const LocalizationContex
   json["map_loading_s"] = context.map_loading_s;
   json["scans"] = num_scans;
   json["scans_available"] = context.scans_available;
-  json["first_fix_scan"] = first_fix ? Json(context.first_scan + *first_fix) : Json();
+  json["first_fix_scan"] = first_fix ? Json(localization.first_scan + *first_fix) : Json();
   json["first_fix_after_scans"] = first_fix ? Json(*first_fix) : Json();
-  json["events"] = Events(localization, context.first_scan);
+  json["events"] = Events(localization);
   json["stages"] = ToJson(localization.stage_times);
   json["scans_per_second"] =
       localization.elapsed_s > 0. ? Json(num_scans / localization.elapsed_s) : Json();
@@ -117,7 +118,7 @@ Json LocalizationJson(const Localization& localization, const LocalizationContex
   json["odometry_outcomes"] = localization.outcomes;
   json["candidates"] = localization.verdicts;
   json["metrics"] = Metrics(localization);
-  json["poses"] = Poses(localization, context.first_scan);
+  json["poses"] = Poses(localization);
   return json;
 }
 
@@ -132,7 +133,7 @@ absl::Status WriteLocalizationFiles(const OutputDirectory& directory,
       WriteTum(directory.FileNamed("smoothed_tum.txt"), localization, localization.smoothed));
   return io::WriteFileAtomically(
       directory.FileNamed("relocalization.json"),
-      absl::StrCat(LocalizationJson(localization, context).dump(2), "\n"));
+      absl::StrCat(report::JsonText(LocalizationJson(localization, context), 2), "\n"));
 }
 
 }  // namespace semantic_kiss::cli

@@ -20,7 +20,7 @@ struct LocalizationContext {
   std::string map_file;
   std::string map_sha256_before, map_sha256_after;
   double map_loading_s = 0.;
-  int first_scan = 0;  // number of the drive's first scan in its sequence
+
   int scans_available = 0;
   std::optional<cartographer::transform::Rigid3d> camera_from_sensor;
 };

@@ -5,7 +5,9 @@
 
 #include <unistd.h>
 
+#include <exception>
 #include <iostream>
+#include <new>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
@@ -37,8 +39,21 @@ absl::Status RunInArena(const Command& command) {
   return arena.execute([&] { return command.run(); });
 }
 
+// Input may be wrong in ways that no check foresaw, above all larger than memory: that is the
+// user's to know as well, in one line.
+absl::Status RunGuarded(const Command& command) {
+  try {
+    return RunInArena(command);
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError(
+        "there is not enough memory; take fewer scans, larger cells or a smaller map");
+  } catch (const std::exception& exception) {
+    return absl::InternalError(absl::StrCat(command.name, " failed: ", exception.what()));
+  }
+}
+
 int Execute(const Command& command) {
-  const absl::Status status = RunInArena(command);
+  const absl::Status status = RunGuarded(command);
   std::cout.flush();
   if (status.ok() && std::cout) return kExitDone;
   if (status.ok()) {

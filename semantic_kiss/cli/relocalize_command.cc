@@ -166,7 +166,6 @@ absl::Status RunRelocalize() {
   Compare(*scans, places, &localization);
   context.configuration_lua = configuration.lua;
   context.map_file = FLAGS_map;
-  context.first_scan = IsGiven("first_scan") ? FLAGS_first_scan : 0;
   context.scans_available = scans->size();
   context.camera_from_sensor = scans->camera_from_sensor();
   ASSIGN_OR_RETURN(context.map_sha256_after, Sha256OfFile(FLAGS_map));

@@ -33,14 +33,18 @@ namespace {
 namespace io = cartographer::io;
 
 // The configured options with what the flags change.
-absl::StatusOr<io::proto::RenderOptions> RenderOptions() {
-  ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
+io::proto::RenderOptions WithFlags(const Configuration& configuration) {
   io::proto::RenderOptions options = configuration.options.map_image();
   if (FLAGS_resolution > 0.) options.set_resolution_m(FLAGS_resolution);
   if (IsGiven("resolution")) options.set_cloud_resolution_m(FLAGS_resolution);
   for (const std::string& name : WordsOf(FLAGS_hide)) options.add_hide(name);
   for (const std::string& name : WordsOf(FLAGS_show)) options.add_show(name);
   return options;
+}
+
+absl::StatusOr<io::proto::RenderOptions> RenderOptions() {
+  ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
+  return WithFlags(configuration);
 }
 
 absl::Status RenderImage() {
@@ -104,7 +108,6 @@ absl::StatusOr<NamedMap> ReadNamed(const std::string& path) {
 }
 
 absl::Status RenderHtml() {
-  ASSIGN_OR_RETURN(const io::proto::RenderOptions image, RenderOptions());
   ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
   report::proto::ReportOptions options = configuration.options.report();
   if (FLAGS_resolution > 0.) options.set_resolution_m(FLAGS_resolution);
@@ -114,7 +117,7 @@ absl::Status RenderHtml() {
     ASSIGN_OR_RETURN(NamedMap map, ReadNamed(path));
     maps.push_back(std::move(map));
   }
-  ASSIGN_OR_RETURN(const report::Report page, MapReport(maps, image, options));
+  ASSIGN_OR_RETURN(const report::Report page, MapReport(maps, WithFlags(configuration), options));
   return io::WriteFileAtomically(FLAGS_output, report::Html(page));
 }
 

@@ -15,6 +15,7 @@
 #include "cartographer/slam/map_builder.h"
 #include "semantic_kiss/cli/commands.h"
 #include "semantic_kiss/cli/configuration.h"
+#include "semantic_kiss/cli/distinct_files.h"
 #include "semantic_kiss/cli/drive.h"
 #include "semantic_kiss/cli/drive_flags.h"
 #include "semantic_kiss/cli/flags.h"
@@ -96,6 +97,7 @@ absl::Status RunRun() {
   ASSIGN_OR_RETURN(const std::set<int> scans_to_trace, ScansToTrace(FLAGS_trace_scan));
   ASSIGN_OR_RETURN(const Configuration configuration, LoadConfiguration(FLAGS_config));
   ASSIGN_OR_RETURN(const auto scans, OpenScans(configuration));
+  RETURN_IF_ERROR(CheckOutputIsNotMap(FLAGS_map, absl::StrCat(FLAGS_output, "/map.pbstream")));
   ASSIGN_OR_RETURN(const auto earlier, LoadEarlierMap(configuration));
   ASSIGN_OR_RETURN(const auto map_builder, MakeMapBuilder(configuration, earlier.get()));
   ASSIGN_OR_RETURN(const OutputDirectory directory, OutputDirectory::Create(FLAGS_output));

@@ -16,6 +16,7 @@
 #include "semantic_kiss/cli/run_json.h"
 #include "semantic_kiss/cli/run_report.h"
 #include "semantic_kiss/report/html_report.h"
+#include "semantic_kiss/report/json_text.h"
 #include "semantic_kiss/report/map_layers.h"
 
 namespace semantic_kiss::cli {
@@ -47,7 +48,7 @@ absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOpt
   times.Add("map_file", stopwatch.Lap());
   RETURN_IF_ERROR(WriteTrajectories(directory, *result));
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
-  const std::string json = absl::StrCat(RunJson(*result).dump(2), "\n");
+  const std::string json = absl::StrCat(report::JsonText(RunJson(*result), 2), "\n");
   RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
   return io::WriteFileAtomically(directory.FileNamed("report.html"),
                                  report::Html(RunReport(*result, std::move(layers.front()))));

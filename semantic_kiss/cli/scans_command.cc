@@ -103,7 +103,8 @@ absl::Status WriteDrive(const std::vector<const MapNode*>& nodes,
 absl::Status RunScans() {
   ASSIGN_OR_RETURN(const std::string directory,
                    dataset::SequenceDirectory(FLAGS_output, FLAGS_sequence));
-  if (std::filesystem::exists(directory)) {
+  std::error_code ignored;  // what cannot be asked for is not there; creating it tells why
+  if (std::filesystem::exists(directory, ignored)) {
     return absl::FailedPreconditionError(
         absl::StrCat(directory, ": is there already; choose another directory or --sequence"));
   }

@@ -52,8 +52,7 @@ absl::StatusOr<SimulationOptions> LoadSimulationOptions() {
   if (IsGiven("label_noise")) options.mutable_label_noise()->set_share(FLAGS_label_noise);
   if (IsGiven("raw")) options.set_raw(FLAGS_raw);
   // What flags set must keep to the options' bounds as well.
-  RETURN_IF_ERROR(cartographer::common::LoadOptionsFromString(
-      cartographer::common::OptionsToLua(options), "flags", {}, &options));
+  RETURN_IF_ERROR(cartographer::common::CheckOptions(options, "flags"));
   return options;
 }
 

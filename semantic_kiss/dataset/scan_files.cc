@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
@@ -15,13 +16,9 @@
 namespace semantic_kiss::dataset {
 namespace {
 
-// The scan that a file's name stands for; nullopt if it is not a scan's.
-std::optional<ScanFile> ParseName(const std::filesystem::path& name) {
-  if (name.extension() != ".bin") return std::nullopt;
-  ScanFile file{0, name.stem().string()};
-  const bool all_digits = std::all_of(file.stem.begin(), file.stem.end(), absl::ascii_isdigit);
-  if (!all_digits || !absl::SimpleAtoi(file.stem, &file.number)) return std::nullopt;
-  return file;
+bool IsScanName(const std::filesystem::path& name) {
+  const std::string stem = name.stem().string();
+  return name.extension() == ".bin" && std::all_of(stem.begin(), stem.end(), absl::ascii_isdigit);
 }
 
 absl::StatusOr<std::vector<ScanFile>> ListAll(const std::string& directory) {
@@ -29,8 +26,13 @@ absl::StatusOr<std::vector<ScanFile>> ListAll(const std::string& directory) {
   std::error_code error;
   for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
        entry.increment(error)) {
-    const std::optional<ScanFile> file = ParseName(entry->path().filename());
-    if (file.has_value()) files.push_back(*file);
+    if (!IsScanName(entry->path().filename())) continue;
+    ScanFile file{0, entry->path().stem().string()};
+    if (!absl::SimpleAtoi(file.stem, &file.number)) {
+      return absl::InvalidArgumentError(absl::StrCat(
+          directory, ": ", file.stem, ".bin: the number is too large; rename the scans"));
+    }
+    files.push_back(std::move(file));
   }
   if (error) {
     return absl::ErrnoToStatus(error.value(), absl::StrCat(directory, ": cannot be listed"));

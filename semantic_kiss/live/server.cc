@@ -15,6 +15,7 @@
 #include "semantic_kiss/live/live_page.h"
 #include "semantic_kiss/live/map_feed.h"
 #include "semantic_kiss/live/snapshot_json.h"
+#include "semantic_kiss/report/json_text.h"
 
 namespace semantic_kiss::live {
 namespace {
@@ -111,7 +112,7 @@ class Server::Impl {
     server_.Get("/", [](const auto&, auto& response) { response.set_content(LivePage(), kHtml); });
     server_.Get("/state.json", [this](const auto& request, auto& response) {
       board_.Saw(request.get_param_value("viewer"));
-      response.set_content(StateJson().dump(), "application/json");
+      response.set_content(report::JsonText(StateJson()), "application/json");
     });
     server_.Get("/map.png", [this](const auto&, auto& response) {
       std::string png = feed_.Png();

@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "semantic_kiss/report/html.h"
+#include "semantic_kiss/report/json_text.h"
 #include "semantic_kiss/report/page_files.h"
 #include "semantic_kiss/report/report_json.h"
 
@@ -66,7 +67,6 @@ std::string CodeHtml(const Report& report) {
 }  // namespace
 
 std::string Html(const Report& report) {
-  using Json = nlohmann::ordered_json;
   std::string charts, tables;
   for (size_t i = 0; i < report.charts.size(); ++i) charts += ChartHtml(report.charts[i], i);
   for (const Table& table : report.tables) tables += TableHtml(table);
@@ -77,8 +77,7 @@ std::string Html(const Report& report) {
       {"charts", std::move(charts)},
       {"tables", std::move(tables)},
       {"code", CodeHtml(report)},
-      {"data",
-       JsonForScript(ReportJson(report).dump(-1, ' ', false, Json::error_handler_t::replace))}};
+      {"data", JsonForScript(JsonText(ReportJson(report)))}};
   for (const char* file :
        {"leaflet.css", "leaflet.js", "leaflet_license.txt", "page.css", "colors.js", "map_view.js",
         "drive.js", "panel.js", "closures.js", "charts.js", "page.js"}) {

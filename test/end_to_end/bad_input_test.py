@@ -71,6 +71,11 @@ class MissingInputTest(BadInputTest):
         os.remove(self.sequence.file("velodyne/000003.bin"))
         self.assert_rejected(["scan 3 is missing"])
 
+    def test_a_number_that_is_too_large(self):
+        os.rename(self.sequence.file("velodyne/000005.bin"),
+                  self.sequence.file("velodyne/3000000000.bin"))
+        self.assert_rejected(["3000000000.bin", "too large"])
+
     def test_a_scan_beyond_the_end(self):
         self.assert_rejected(["100"], "--first_scan=100")
 

@@ -37,6 +37,8 @@ class CommandLineTest(ProgramTest):
         self.fail_with(2, ["--dataset=DIR"], "run", "--output=x")
         self.fail_with(2, ["--num_scans=-3"], "run", "--num_scans=-3")
         self.fail_with(2, ["--threads=two"], "run", "--threads=two")
+        self.fail_with(2, ["--threads=2000000000", "at most 1024"], "run", "--threads=2000000000")
+        self.fail_with(2, ["--resolution=inf", "at most 100"], "render", "--resolution=inf")
         self.fail_with(2, ["surplus"], "run", "surplus")
 
     def test_nothing_is_coloured_in_a_file(self):

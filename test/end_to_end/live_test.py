@@ -94,7 +94,7 @@ class LiveTest(ProgramTest):
 
     def test_ports_must_be_free_and_possible(self):
         flags = ("--dataset=" + self.work, f"--output={self.path('out')}", "--quiet")
-        self.fail_with(1, ["--live=70000", "port"], "run", *flags, "--live=70000")
+        self.fail_with(2, ["--live=70000", "at most 65535"], "run", *flags, "--live=70000")
         self.fail_with(2, ["--live"], "run", *flags, "--live=-1")
         with socket.create_server(("127.0.0.1", 0)) as taken:
             port = taken.getsockname()[1]

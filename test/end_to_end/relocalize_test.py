@@ -66,12 +66,16 @@ class MapLifeTest(ProgramTest):
 
     def test_a_known_start_is_enough_and_a_bad_one_is_refused(self):
         known = self.relocalize("known", "--initial_pose=1,1,3", "--num_scans=60")
+        self.assertEqual(known["poses"][0]["scan"], 0)
         # The next node agrees with the first; no submap has to be finished.
         self.assertLessEqual(known["first_fix_after_scans"], 15)
         self.assertEqual(known["metrics"]["wrong_places"], 0)
         self.fail_with(1, ["--initial_pose", "three"], "relocalize", f"--map={self.map}",
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        "--initial_pose=1,2")
+        self.fail_with(1, ["--initial_pose", "finite"], "relocalize", f"--map={self.map}",
+                       f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
+                       "--initial_pose=nan,0,0")
         self.fail_with(1, ["optimize_every_n_nodes"], "relocalize", f"--map={self.map}",
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        "--config=semantic_kiss.lua")
@@ -80,6 +84,22 @@ class MapLifeTest(ProgramTest):
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        f"--map_ground_truth={self.path('day1')}")
         self.assertFalse(os.path.exists(self.path("bad")))
+
+    def test_scans_are_numbered_as_the_files_are(self):
+        folder = self.path("day1", "sequences", "00", "velodyne")
+        for scan in range(60):
+            os.remove(os.path.join(folder, f"{scan:06d}.bin"))
+        found = self.relocalize("late", "--num_scans=50")
+        self.assertEqual([pose["scan"] for pose in found["poses"]], list(range(60, 110)))
+        self.assertEqual(found["events"][0]["scan"], 60)
+        self.assertEqual(found["first_fix_scan"], 60 + found["first_fix_after_scans"])
+
+    def test_a_map_is_not_replaced_by_what_goes_on_with_it(self):
+        before = sha256(self.path("map", "map.pbstream"))
+        self.fail_with(1, ["is the map itself"], "run", "--config=semantic_kiss_6dof.lua",
+                       f"--map={self.path('map', 'map.pbstream')}",
+                       f"--dataset={self.path('day1')}", f"--output={self.path('map')}")
+        self.assertEqual(sha256(self.path("map", "map.pbstream")), before)
 
     def test_a_kidnapped_vehicle_says_so_and_is_found_again(self):
         source, jumping = (self.path(name, "sequences", "00") for name in ("day1", "jumping"))

@@ -140,6 +140,14 @@ class RunTest(ProgramTest):
         self.assertEqual(run["scans"], 6)
         self.assertGreater(len(run["odometry_outcomes"]), 2)
 
+    def test_names_need_not_be_utf8(self):
+        dataset = os.path.join(os.fsencode(self.directory), b"data_\xff")
+        Sequence(os.fsdecode(dataset))
+        self.succeed("run", b"--dataset=" + dataset, f"--output={self.path('out')}", "--quiet")
+        self.assertEqual(sorted(os.listdir(self.path("out"))), RUN_FILES)
+        notes = json.loads(read(self.path("out"), "run.json"))["notes"]
+        self.assertIn("data_\ufffd", " ".join(notes))
+
     def test_a_drive_that_is_lost_is_written_and_compared(self):
         sequence = Sequence(self.directory)
         # As far as the odometry, but along another axis.

@@ -68,6 +68,8 @@ class ScansTest(ProgramTest):
         self.succeed("scans", f"--output={self.path('out')}", "--quiet",
                      f"--map={self.path('run', 'map.pbstream')}")
         self.assertEqual(os.listdir(sequences), ["00"])
+        self.fail_with(1, ["too long"], "scans", f"--map={self.path('run', 'map.pbstream')}",
+                       f"--output={'x' * 300}")
 
     def test_scans_of_a_building_in_cartographers_map_of_it(self):
         stock = os.path.join(data_directory(), "pbstream", "stock_aces.pbstream")

@@ -39,8 +39,14 @@ class ScanFilesTest : public ::testing::Test {
 
 TEST_F(ScanFilesTest, ListsNumbersInOrderAndIgnoresTheRest) {
   Add({"000010.bin", "000009.bin", "000011.bin", "._000009.bin", "9.txt", "readme.bin", ".bin",
-       "000012.bin.part", "99999999999999999999.bin"});
+       "000012.bin.part"});
   EXPECT_THAT(Stems({}), ElementsAre("000009", "000010", "000011"));
+}
+
+TEST_F(ScanFilesTest, ANumberThatIsTooLargeIsAnError) {
+  Add({"0.bin", "3000000000.bin"});
+  EXPECT_EQ(Error({}),
+            directory_.path() + ": 3000000000.bin: the number is too large; rename the scans");
 }
 
 TEST_F(ScanFilesTest, TakesAStretch) {
