@@ -141,16 +141,26 @@ AtomicFile::~AtomicFile() { Discard(); }
 
 absl::Status AtomicFile::Write(absl::string_view bytes) {
   RETURN_IF_ERROR(status_);
+  CHECK_GE(descriptor_, 0) << "written to after its end: " << path_;
   size_ += bytes.size();
   buffer_.append(bytes.data(), bytes.size());
   return buffer_.size() < kBufferSize ? absl::OkStatus() : Flush();
 }
 
+absl::Status AtomicFile::Seal() {
+  RETURN_IF_ERROR(status_);
+  CHECK_GE(descriptor_, 0) << "sealed twice: " << path_;
+  RETURN_IF_ERROR(Flush());
+  if (::fsync(descriptor_) != 0) return Fail("write to the disk", errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) return Fail("close", errno);
+  return absl::OkStatus();
+}
+
 absl::Status AtomicFile::Commit() {
   RETURN_IF_ERROR(status_);
-  CHECK_GE(descriptor_, 0) << "committed twice: " << path_;
-  RETURN_IF_ERROR(Flush());
-  return Finish();
+  CHECK(!temporary_path_.empty()) << "committed twice: " << path_;
+  if (descriptor_ >= 0) RETURN_IF_ERROR(Seal());
+  return Publish();
 }
 
 absl::Status AtomicFile::Flush() {
@@ -167,14 +177,15 @@ absl::Status AtomicFile::Flush() {
   return absl::OkStatus();
 }
 
-absl::Status AtomicFile::Finish() {
-  if (::fsync(descriptor_) != 0) return Fail("write to the disk", errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0) return Fail("close", errno);
+absl::Status AtomicFile::Publish() {
   if (const int error = RenameToTarget(); error != 0) return Fail("rename", error);
-  if (const int error = SyncDirectory(DirectoryOf(target_)); error != 0) {
-    return Fail("write its directory to the disk", error);
-  }
-  return absl::OkStatus();
+  const int error = SyncDirectory(DirectoryOf(target_));
+  if (error == 0) return absl::OkStatus();
+  const absl::Status unsynced = SystemError(path_, "write its directory to the disk", error);
+  return status_ = absl::Status(
+             unsynced.code(),
+             absl::StrCat(unsynced.message(),
+                          "; the file is whole, but may be gone again after a power cut"));
 }
 
 int AtomicFile::RenameToTarget() {

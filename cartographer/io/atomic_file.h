@@ -41,7 +41,12 @@ class AtomicFile {
   // After an error the temporary file is gone and every further call returns that error.
   absl::Status Write(absl::string_view bytes);
 
-  // Call at most once, last (CHECKed).
+  // Makes all bytes durable, but leaves the target alone: of Commit() only the giving of the name
+  // remains. For files that belong together: all are sealed before the first is committed. Nothing
+  // may be written afterwards (CHECKed).
+  absl::Status Seal();
+
+  // Seals if that was not done. Call at most once, last (CHECKed).
   absl::Status Commit();
 
   // Number of bytes passed to Write() so far.
@@ -50,9 +55,10 @@ class AtomicFile {
  private:
   AtomicFile(std::string path, std::string target, std::string temporary_path, int descriptor);
   absl::Status Flush();
-  absl::Status Finish();
   // Returns the system's error number; 0: done.
   int RenameToTarget();
+  // Gives the target its name.
+  absl::Status Publish();
   // Closes and removes the temporary file and remembers the error.
   absl::Status Fail(const char* action, int error_number);
   void Discard();

@@ -138,6 +138,45 @@ TEST_F(AtomicFileTest, FailedWriteKeepsTheOldFileAndRemovesTheTemporary) {
   EXPECT_EQ(NumFiles(), 1);
 }
 
+TEST_F(AtomicFileTest, SealedFilesAreCommittedWithoutFurtherBytes) {
+  ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());
+  auto file = AtomicFile::Create(Path("a"));
+  ASSERT_TRUE(file->Write("new").ok());
+  ASSERT_TRUE(file->Seal().ok());
+  EXPECT_EQ(Content(Path("a")), "old");
+  EXPECT_EQ(NumFiles(), 2);
+  EXPECT_DEATH(static_cast<void>(file->Write("more")), "written to after its end");
+  ASSERT_TRUE(file->Commit().ok());
+  EXPECT_EQ(Content(Path("a")), "new");
+  EXPECT_EQ(NumFiles(), 1);
+  EXPECT_DEATH(static_cast<void>(file->Commit()), "committed twice");
+
+  auto abandoned = AtomicFile::Create(Path("b"));
+  ASSERT_TRUE(abandoned->Seal().ok());
+  abandoned = absl::CancelledError();
+  EXPECT_EQ(NumFiles(), 1);
+}
+
+// A process that may open no further file cannot open the directory to make the name durable.
+TEST_F(AtomicFileTest, ADirectoryThatCannotBeMadeDurableIsAnErrorButTheFileIsThere) {
+  ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());
+  auto file = AtomicFile::Create(Path("a"));
+  ASSERT_TRUE(file->Write("new").ok());
+  struct rlimit old_limit;
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &old_limit), 0);
+  struct rlimit limit = old_limit;
+  limit.rlim_cur = 0;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+  const absl::Status commit = file->Commit();
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &old_limit), 0);
+
+  EXPECT_THAT(std::string(commit.message()),
+              AllOf(HasSubstr(Path("a") + ": cannot write its directory to the disk: Too many"),
+                    HasSubstr("may be gone again after a power cut")));
+  EXPECT_EQ(Content(Path("a")), "new");
+  EXPECT_EQ(NumFiles(), 1);
+}
+
 // As a process does that is told to end at once; it runs in a child here.
 TEST_F(AtomicFileTest, AbandoningRemovesAllTemporaryFilesAndNoOthers) {
   ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());

@@ -5,7 +5,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "glog/logging.h"
@@ -23,6 +25,7 @@ using semantic_kiss_testing::ReadText;
 using semantic_kiss_testing::Sketch;
 using semantic_kiss_testing::SubmapFromSketch;
 using semantic_kiss_testing::TemporaryDirectory;
+using semantic_kiss_testing::WriteText;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -136,6 +139,30 @@ TEST(OccupancyGridTest, OnlyAResolutionOfOnesOwnIsNeverCoarsened) {
             "give 2.13 m or more");
   options.set_resolution_m(2.13);
   EXPECT_THAT(Draw(map, options).yaml, HasSubstr("\nresolution: 2.13\n"));
+}
+
+// A limit on file sizes stands for a disk that has room for the picture, but not for its
+// description, which a long name makes the larger of the two.
+TEST(OccupancyGridTest, AnEarlierPairIsNotLeftHalfReplaced) {
+  const TemporaryDirectory directory;
+  const std::string name = directory / std::string(200, 'm');
+  WriteText(name + ".pgm", "old picture");
+  WriteText(name + ".yaml", "old description");
+  proto::RenderOptions options = Options();
+  options.set_max_side_px(8);
+  struct rlimit old_limit;
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  struct rlimit limit = old_limit;
+  limit.rlim_cur = 200;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const absl::Status status = WriteOccupancyGrid(MapFromSketch({"R"}, 1.), options, name + ".pgm");
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  std::signal(SIGXFSZ, old_handler);
+
+  EXPECT_THAT(std::string(status.message()), HasSubstr(".yaml: cannot write: File too large"));
+  EXPECT_EQ(ReadText(name + ".pgm"), "old picture");
+  EXPECT_EQ(ReadText(name + ".yaml"), "old description");
 }
 
 TEST(OccupancyGridTest, ErrorsLeaveNothing) {
