@@ -43,8 +43,9 @@ absl::Status FileBuffer::ReadDescriptor(int descriptor, const std::string& path)
                                                    kMaxBytes, " are read, is it the right file?"));
   }
   if (size > capacity_) {
-    capacity_ = size + size / 8;  // scans vary in size: few of them are the largest so far
-    bytes_.reset(new char[capacity_]);
+    const size_t capacity = size + size / 8;  // scans vary: few of them are the largest so far
+    bytes_.reset(new char[capacity]);
+    capacity_ = capacity;  // not before: if there is no memory the old bytes stay
   }
   size_ = 0;
   while (size_ < size) {

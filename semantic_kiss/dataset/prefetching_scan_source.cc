@@ -54,6 +54,7 @@ absl::StatusOr<cartographer::sensor::LabeledScan> PrefetchingScanSource::Read(in
   next_to_read_ = index + 1;
   changed_.notify_all();
   for (const auto& [id, count] : loaded.unknown_ids) unknown_ids_[id] += count;
+  if (loaded.thrown != nullptr) std::rethrow_exception(loaded.thrown);
   return std::move(loaded.scan);
 }
 
@@ -75,10 +76,12 @@ void PrefetchingScanSource::LoadInBackground() {
   }
 }
 
-PrefetchingScanSource::Loaded PrefetchingScanSource::Load(int index) {
+PrefetchingScanSource::Loaded PrefetchingScanSource::Load(int index) try {
   const UnknownLabelIds before = source_->unknown_label_ids();
   absl::StatusOr<cartographer::sensor::LabeledScan> scan = source_->Read(index);
-  return {std::move(scan), Difference(source_->unknown_label_ids(), before)};
+  return {std::move(scan), Difference(source_->unknown_label_ids(), before), nullptr};
+} catch (...) {
+  return {absl::UnknownError("thrown"), {}, std::current_exception()};
 }
 
 }  // namespace semantic_kiss::dataset

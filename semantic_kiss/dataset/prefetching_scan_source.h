@@ -6,6 +6,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -16,7 +17,8 @@ namespace semantic_kiss::dataset {
 
 // Another source, read ahead: while the caller works on a scan, one thread in the background loads
 // the next ones. What Read() returns, errors included, and what unknown_label_ids() counts is
-// exactly what `source` alone would give for the same calls, whatever the timing.
+// exactly what `source` alone would give for the same calls, whatever the timing. So is what it
+// throws, for want of memory: that must not end the program on a thread where nobody catches it.
 //
 // Scans are meant to be read in order; Read() of any other scan than the next one works, but
 // throws away what was loaded ahead.
@@ -45,6 +47,7 @@ class PrefetchingScanSource : public ScanSource {
   struct Loaded {
     absl::StatusOr<cartographer::sensor::LabeledScan> scan;
     UnknownLabelIds unknown_ids;  // those of this scan
+    std::exception_ptr thrown;    // in place of a scan
   };
 
   void LoadInBackground();

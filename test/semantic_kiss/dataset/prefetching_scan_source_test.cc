@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <string>
 
 namespace semantic_kiss::dataset {
@@ -20,10 +21,12 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 
-// Scan i has index i; its label file lists i points with the unknown id 100 + i. Some scans fail.
+// Scan i has index i; its label file lists i points with the unknown id 100 + i. One scan fails;
+// for another one there is no memory.
 class FakeSource : public ScanSource {
  public:
-  FakeSource(int size, int failing) : size_(size), failing_(failing) {}
+  FakeSource(int size, int failing, int too_large = -1)
+      : size_(size), failing_(failing), too_large_(too_large) {}
 
   int size() const override { return size_; }
   absl::StatusOr<LabeledScan> Read(int index) override {
@@ -33,6 +36,7 @@ class FakeSource : public ScanSource {
     if (index % 3 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
     reading_ = false;
     if (index == failing_) return absl::DataLossError("scan " + std::to_string(index));
+    if (index == too_large_) throw std::bad_alloc();
     unknown_ids_[100 + index] += index;
     LabeledScan scan;
     scan.index = index;
@@ -47,7 +51,7 @@ class FakeSource : public ScanSource {
   int num_reads() const { return num_reads_; }
 
  private:
-  const int size_, failing_;
+  const int size_, failing_, too_large_;
   std::atomic<bool> reading_{false};
   std::atomic<int> num_reads_{0};
   LabelSet labels_;
@@ -84,6 +88,13 @@ TEST(PrefetchingScanSourceTest, EqualsTheSourceAloneForAnyCalls) {
     }
     EXPECT_EQ(ahead.unknown_label_ids(), alone.unknown_label_ids());
   }
+}
+
+TEST(PrefetchingScanSourceTest, ThrowsWhatTheSourceThrowsWhenThatScanIsAskedFor) {
+  PrefetchingScanSource source(std::make_unique<FakeSource>(4, -1, 1));
+  EXPECT_TRUE(source.Read(0).ok());
+  EXPECT_THROW(static_cast<void>(source.Read(1)), std::bad_alloc);
+  EXPECT_EQ(source.Read(2)->index, 2);
 }
 
 TEST(PrefetchingScanSourceTest, CountsOnlyWhatWasHandedOut) {
