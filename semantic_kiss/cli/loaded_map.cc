@@ -7,6 +7,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "cartographer/common/status.h"
+#include "cartographer/slam/graph_of_map.h"
 
 namespace semantic_kiss::cli {
 
@@ -15,6 +16,9 @@ using cartographer::sensor::Label;
 using cartographer::sensor::LabelSet;
 
 namespace {
+
+// Map files number trajectories up to 1e9. Two maps of this many can be joined and read again.
+constexpr int kMaxTrajectories = 400'000'000;
 
 bool SameLabels(const LabelSet& a, const LabelSet& b) {
   if (a.size() != b.size()) return false;
@@ -32,6 +36,11 @@ absl::StatusOr<Map> LoadMapFor(const LabelSet& labels, const std::string& path,
   ASSIGN_OR_RETURN(Map map, cartographer::io::ReadMapParts(path, parts));
   if (map.submaps.empty()) {
     return absl::FailedPreconditionError(absl::StrCat(path, ": the map has no submaps"));
+  }
+  if (cartographer::slam::NextTrajectoryId(map) > kMaxTrajectories) {
+    return absl::FailedPreconditionError(
+        absl::StrCat(path, ": its trajectories are numbered beyond ", kMaxTrajectories - 1,
+                     ", so that nothing can be joined to them; is the file damaged?"));
   }
   if (map.labels.size() > 1 && !SameLabels(map.labels, labels)) {
     return absl::FailedPreconditionError(

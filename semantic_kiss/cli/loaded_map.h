@@ -13,8 +13,10 @@
 
 namespace semantic_kiss::cli {
 
-// Reads a map that scans with labels of `labels` are to be compared with. FailedPrecondition if its
-// labels are others; a map without labels, such as Cartographer's own, fits all.
+// Reads a map that scans with labels of `labels` are to be compared with or added to.
+// FailedPrecondition if its labels are others (a map without labels, such as Cartographer's own,
+// fits all), if it has no submaps, or if trajectories after its own would have numbers that map
+// files cannot have.
 absl::StatusOr<cartographer::map::Map> LoadMapFor(const cartographer::sensor::LabelSet& labels,
                                                   const std::string& path,
                                                   const cartographer::io::MapParts& parts);
