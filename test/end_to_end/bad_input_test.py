@@ -4,6 +4,7 @@
 """Bad input: `run` says in one line what is wrong where, and what to do, and leaves nothing."""
 
 import os
+import resource
 import shutil
 import struct
 
@@ -121,6 +122,14 @@ class MalformedScanTest(BadInputTest):
         self.assert_rejected(["confidences/000000.conf"])
 
 
+    def test_more_than_there_is_memory_for(self):
+        os.truncate(self.sequence.file("velodyne/000003.bin"), 1 << 30)
+        limit = 1 << 30
+        self.fail_with(1, ["not enough memory"], "run", f"--dataset={self.path('data')}",
+                       f"--output={self.path('deep', 'out')}", "--threads=1", "--quiet",
+                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+        self.assertFalse(os.path.exists(self.path("deep")))
+
     def test_not_one_point_in_all_scans(self):
         for index in range(6):
             self.sequence.write(f"velodyne/{index:06d}.bin", b"")
@@ -173,6 +182,16 @@ class BadConfigurationTest(BadInputTest):
     def test_out_of_range(self):
         self.assert_rejected(["mine.lua", "dataset.assumed_rate_hz", "-3"],
                              self.configuration("RUN.dataset.assumed_rate_hz = -3"))
+
+    def test_numbers_so_small_that_nothing_could_be_computed_with_them(self):
+        self.assert_rejected(["mine.lua", "dataset.assumed_rate_hz", "1e-300"],
+                             self.configuration("RUN.dataset.assumed_rate_hz = 1e-300"))
+        for option, value in (("hit_probability", "0.5000001"), ("resolution_m", "1e-06")):
+            write(self.path("mine.lua"), f"""include "cartographer.lua"
+                RUN.local_trajectory_builder.planar.submaps.grid.{option} = {value}
+                return RUN""")
+            self.assert_rejected(["mine.lua", f"submaps.grid.{option}", value],
+                                 f"--config={self.path('mine.lua')}")
 
     def test_wrong_type(self):
         self.assert_rejected(["mine.lua", "dataset.assumed_rate_hz"],
