@@ -28,6 +28,7 @@ struct FilterScope {
     return trajectories.count(id.trajectory_id) > 0;
   }
 };
+
 }  // namespace cartographer::map
 
 #endif  // CARTOGRAPHER_MAP_FILTER_SCOPE_H_

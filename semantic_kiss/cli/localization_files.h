@@ -20,7 +20,6 @@ struct LocalizationContext {
   std::string map_file;
   std::string map_sha256_before, map_sha256_after;
   double map_loading_s = 0.;
-
   int scans_available = 0;
   std::optional<cartographer::transform::Rigid3d> camera_from_sensor;
 };
