@@ -270,8 +270,9 @@ absl::StatusOr<SemanticGrid> FromStockGrid(const mapping::proto::Grid2D& proto,
         corner - Eigen::Vector2d(cell / num_x_cells + 0.5, cell % num_x_cells + 0.5);
     grid.AddHits(sensor::kUnlabeled,
                  ((submap_from_local * centre).array() + kTieBreak).floor().cast<int>(), hits);
-    if (grid.num_tiles() > kMaxTiles) {
-      return absl::DataLossError(absl::StrCat("a grid with more than ", kMaxTiles, " tiles"));
+    // At the limit, not beyond it, where the grid would take twice as much to hold one tile more.
+    if (grid.num_tiles() >= kMaxTiles) {
+      return absl::DataLossError(absl::StrCat("a grid with ", kMaxTiles, " tiles or more"));
     }
   }
   return grid;

@@ -36,7 +36,8 @@ absl::Status CheckFitsStockGrid(const submap::SemanticGrid& grid,
 // The reverse, as far as it goes: cells with P(occupied) > 0.5 become hits of kUnlabeled, by the
 // formula above solved for h (at least 1), in the cell of the submap's grid that holds the cell's
 // centre (an offset of up to half a cell). Free space is not kept: layers hold hits alone.
-// kUnimplemented for TSDF grids; kDataLoss for limits, counts and values that do not fit together.
+// kUnimplemented for TSDF grids; kDataLoss for limits, counts and values that do not fit together,
+// and for hits in 2^19 tiles or more (256 MiB).
 absl::StatusOr<submap::SemanticGrid> FromStockGrid(const mapping::proto::Grid2D& proto,
                                                    const transform::Rigid3d& local_from_submap);
 

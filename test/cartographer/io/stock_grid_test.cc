@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "test/cartographer/io/memory_peak.h"
+
 namespace cartographer::io {
 namespace {
 
@@ -160,8 +162,10 @@ TEST(StockGridTest, GridsThatWouldTakeAllMemoryAreAnError) {
   stock.mutable_limits()->mutable_cell_limits()->set_num_x_cells(1);
   stock.mutable_limits()->mutable_cell_limits()->set_num_y_cells(num_cells);
   stock.mutable_cells()->Resize(num_cells, 1);
+  const MemoryPeak peak;
   EXPECT_THAT(std::string(FromStockGrid(stock, Rigid3d()).status().message()),
-              HasSubstr("more than 524288 tiles"));
+              HasSubstr("a grid with 524288 tiles or more"));
+  EXPECT_LT(peak.bytes(), 500'000'000u);
 }
 
 TEST(StockGridTest, CellsLandWhereTheyLie) {
