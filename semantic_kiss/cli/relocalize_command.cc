@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -45,6 +46,10 @@ struct InitialPose {
   double yaw;
 };
 
+// Beyond these, cells and angles no longer tell one place from the next.
+constexpr double kFarthest_m = 1e7;
+constexpr double kLargestHeading_deg = 360.;
+
 absl::StatusOr<std::optional<InitialPose>> ParseInitialPose() {
   if (!IsGiven("initial_pose")) return std::optional<InitialPose>();
   const absl::StatusOr<std::vector<double>> numbers = NumbersOf(FLAGS_initial_pose);
@@ -54,7 +59,14 @@ absl::StatusOr<std::optional<InitialPose>> ParseInitialPose() {
         absl::StrCat("--initial_pose=", FLAGS_initial_pose, " has ", numbers->size(),
                      " numbers in place of three: x, y in metres, heading in degrees"));
   }
-  return InitialPose{{(*numbers)[0], (*numbers)[1]}, (*numbers)[2] * M_PI / 180.};
+  const Eigen::Vector2d position((*numbers)[0], (*numbers)[1]);
+  const double heading_deg = (*numbers)[2];
+  if (position.cwiseAbs().maxCoeff() > kFarthest_m || std::abs(heading_deg) > kLargestHeading_deg) {
+    return absl::InvalidArgumentError(absl::StrCat(
+        "--initial_pose=", FLAGS_initial_pose, " is out of range; x and y must be within ",
+        kFarthest_m, " m, the heading within ", kLargestHeading_deg, " degrees"));
+  }
+  return InitialPose{position, heading_deg * M_PI / 180.};
 }
 
 absl::StatusOr<std::unique_ptr<Relocalizer>> MakeRelocalizer(const Configuration& configuration,

@@ -76,6 +76,10 @@ class MapLifeTest(ProgramTest):
         self.fail_with(1, ["--initial_pose", "finite"], "relocalize", f"--map={self.map}",
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        "--initial_pose=nan,0,0")
+        for far in ("0,0,1e308", "1e308,0,0", "0,-2e7,0"):
+            self.fail_with(1, [f"--initial_pose={far}", "out of range"], "relocalize",
+                           f"--map={self.map}", f"--dataset={self.path('day1')}",
+                           f"--output={self.path('bad')}", f"--initial_pose={far}")
         self.fail_with(1, ["optimize_every_n_nodes"], "relocalize", f"--map={self.map}",
                        f"--dataset={self.path('day1')}", f"--output={self.path('bad')}",
                        "--config=semantic_kiss.lua")
