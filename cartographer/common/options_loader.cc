@@ -9,6 +9,7 @@
 #include "cartographer/common/lua_evaluator.h"
 #include "cartographer/common/message_filler.h"
 #include "cartographer/common/status.h"
+#include "google/protobuf/message.h"
 
 namespace cartographer::common {
 

@@ -90,7 +90,17 @@ int SyncDirectory(const fs::path& directory) {
 
 }  // namespace
 
-absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
+AtomicFileSet::AtomicFileSet() = default;
+AtomicFileSet::~AtomicFileSet() = default;
+
+absl::Status AtomicFileSet::Commit() {
+  for (AtomicFile& file : files_) RETURN_IF_ERROR(file.Publish());
+  files_.clear();
+  return absl::OkStatus();
+}
+
+absl::StatusOr<AtomicFile> AtomicFile::Create(const Destination& destination) {
+  const std::string& path = destination.path;
   if (path.empty() || path.back() == '/') {
     return absl::InvalidArgumentError(absl::StrCat("'", path, "' does not name a file"));
   }
@@ -102,21 +112,23 @@ absl::StatusOr<AtomicFile> AtomicFile::Create(const std::string& path) {
         ::open(temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       TemporaryPaths().insert(temporary_path);
-      return AtomicFile(path, std::move(target), std::move(temporary_path), descriptor);
+      return AtomicFile(destination, std::move(target), std::move(temporary_path), descriptor);
     }
     if (errno != EEXIST && errno != EINTR) return SystemError(path, "create", errno);
   }
 }
 
-AtomicFile::AtomicFile(std::string path, std::string target, std::string temporary_path,
-                       int descriptor)
-    : path_(std::move(path)),
+AtomicFile::AtomicFile(const Destination& destination, std::string target,
+                       std::string temporary_path, int descriptor)
+    : path_(destination.path),
+      set_(destination.set),
       target_(std::move(target)),
       temporary_path_(std::move(temporary_path)),
       descriptor_(descriptor) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
+      set_(other.set_),
       target_(std::move(other.target_)),
       temporary_path_(std::exchange(other.temporary_path_, {})),
       buffer_(std::move(other.buffer_)),
@@ -128,6 +140,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   if (this == &other) return *this;
   Discard();
   path_ = std::move(other.path_);
+  set_ = other.set_;
   target_ = std::move(other.target_);
   temporary_path_ = std::exchange(other.temporary_path_, {});
   buffer_ = std::move(other.buffer_);
@@ -148,8 +161,6 @@ absl::Status AtomicFile::Write(absl::string_view bytes) {
 }
 
 absl::Status AtomicFile::Seal() {
-  RETURN_IF_ERROR(status_);
-  CHECK_GE(descriptor_, 0) << "sealed twice: " << path_;
   RETURN_IF_ERROR(Flush());
   if (::fsync(descriptor_) != 0) return Fail("write to the disk", errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) return Fail("close", errno);
@@ -158,9 +169,11 @@ absl::Status AtomicFile::Seal() {
 
 absl::Status AtomicFile::Commit() {
   RETURN_IF_ERROR(status_);
-  CHECK(!temporary_path_.empty()) << "committed twice: " << path_;
-  if (descriptor_ >= 0) RETURN_IF_ERROR(Seal());
-  return Publish();
+  CHECK_GE(descriptor_, 0) << "committed twice: " << path_;
+  RETURN_IF_ERROR(Seal());
+  if (set_ == nullptr) return Publish();
+  set_->files_.push_back(std::move(*this));
+  return status_ = absl::OkStatus();  // of what is left behind
 }
 
 absl::Status AtomicFile::Flush() {
@@ -213,8 +226,8 @@ void AbandonAtomicFiles() {
   for (const std::string& path : TemporaryPaths()) ::unlink(path.c_str());
 }
 
-absl::Status WriteFileAtomically(const std::string& path, absl::string_view content) {
-  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path));
+absl::Status WriteFileAtomically(const Destination& destination, absl::string_view content) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(destination));
   RETURN_IF_ERROR(file.Write(content));
   return file.Commit();
 }

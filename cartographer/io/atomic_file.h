@@ -6,12 +6,44 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/string_view.h"
 
 namespace cartographer::io {
+
+class AtomicFile;
+
+// Files that belong together: what is committed into a set appears when the set itself is
+// committed, one file right after the other, and only once the bytes of all are on the disk. If
+// that never happens, whatever stood under their names stays.
+class AtomicFileSet {
+ public:
+  AtomicFileSet();
+  ~AtomicFileSet();
+  AtomicFileSet(const AtomicFileSet&) = delete;
+  AtomicFileSet& operator=(const AtomicFileSet&) = delete;
+
+  // Gives all files their names, in the order in which they came, up to the first error.
+  absl::Status Commit();
+
+ private:
+  friend class AtomicFile;
+  std::vector<AtomicFile> files_;
+};
+
+// Where a file goes: to a path, by itself or as one of a set, which must outlive the writing.
+struct Destination {
+  Destination(const char* path) : path(path) {}                // NOLINT: paths are meant to do
+  Destination(std::string path, AtomicFileSet* set = nullptr)  // NOLINT
+      : path(std::move(path)), set(set) {}
+
+  std::string path;
+  AtomicFileSet* set = nullptr;
+};
 
 // A file that appears whole or not at all. Bytes go to a hidden temporary file beside the target;
 // Commit() makes them durable and gives them the target's name in one step, replacing a file that
@@ -29,8 +61,8 @@ namespace cartographer::io {
 //   return file.Commit();
 class AtomicFile {
  public:
-  // The directory of `path` must exist.
-  static absl::StatusOr<AtomicFile> Create(const std::string& path);
+  // The directory of the path must exist.
+  static absl::StatusOr<AtomicFile> Create(const Destination& destination);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -41,20 +73,20 @@ class AtomicFile {
   // After an error the temporary file is gone and every further call returns that error.
   absl::Status Write(absl::string_view bytes);
 
-  // Makes all bytes durable, but leaves the target alone: of Commit() only the giving of the name
-  // remains. For files that belong together: all are sealed before the first is committed. Nothing
-  // may be written afterwards (CHECKed).
-  absl::Status Seal();
-
-  // Seals if that was not done. Call at most once, last (CHECKed).
+  // Call at most once, last (CHECKed). A file of a set only becomes durable, and is the set's.
   absl::Status Commit();
 
   // Number of bytes passed to Write() so far.
   uint64_t size() const { return size_; }
 
  private:
-  AtomicFile(std::string path, std::string target, std::string temporary_path, int descriptor);
+  friend class AtomicFileSet;
+
+  AtomicFile(const Destination& destination, std::string target, std::string temporary_path,
+             int descriptor);
   absl::Status Flush();
+  // Makes all bytes durable.
+  absl::Status Seal();
   // Returns the system's error number; 0: done.
   int RenameToTarget();
   // Gives the target its name.
@@ -63,7 +95,8 @@ class AtomicFile {
   absl::Status Fail(const char* action, int error_number);
   void Discard();
 
-  std::string path_;            // as the caller named it, for messages
+  std::string path_;  // as the caller named it, for messages
+  AtomicFileSet* set_;
   std::string target_;          // with symbolic links resolved
   std::string temporary_path_;  // empty once there is none
   std::string buffer_;
@@ -77,7 +110,7 @@ class AtomicFile {
 void AbandonAtomicFiles();
 
 // The whole content at once.
-absl::Status WriteFileAtomically(const std::string& path, absl::string_view content);
+absl::Status WriteFileAtomically(const Destination& destination, absl::string_view content);
 
 }  // namespace cartographer::io
 

@@ -66,10 +66,10 @@ absl::Status WriteNodes(const map::Map& map, RecordWriter* writer) {
 
 }  // namespace
 
-absl::Status WriteMap(const map::Map& map, const std::string& path) {
-  ASSIGN_OR_RETURN(RecordWriter writer, RecordWriter::Create(path));
+absl::Status WriteMap(const map::Map& map, const Destination& destination) {
+  ASSIGN_OR_RETURN(RecordWriter writer, RecordWriter::Create(destination));
   RETURN_IF_ERROR(writer.Write(Header(map)));
-  RETURN_IF_ERROR(WritePoseGraph(map, path, &writer));
+  RETURN_IF_ERROR(WritePoseGraph(map, destination.path, &writer));
   RETURN_IF_ERROR(WriteSubmaps(map, &writer));
   RETURN_IF_ERROR(WriteNodes(map, &writer));
   return writer.Commit();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "absl/status/status.h"
+#include "cartographer/io/atomic_file.h"
 #include "cartographer/map/map.h"
 
 namespace cartographer::io {
@@ -18,7 +19,7 @@ namespace cartographer::io {
 //
 // Errors: what the file system says (atomic_file.h); what cannot be stored, by the element's name
 // (pose_graph_proto.h, element_proto.h). Whatever is written can be read.
-absl::Status WriteMap(const map::Map& map, const std::string& path);
+absl::Status WriteMap(const map::Map& map, const Destination& destination);
 
 }  // namespace cartographer::io
 

@@ -82,17 +82,12 @@ absl::Status WriteOccupancyGrid(const map::Map& map, const proto::RenderOptions&
   const std::filesystem::path path(pgm_path);
   ASSIGN_OR_RETURN(const OccupancyGrid grid,
                    DrawOccupancyGrid(map, options, path.filename().string()));
-  // Both are on the disk before either appears, so that what can fail has failed, and an earlier
-  // pair is not left half replaced. The file that ROS opens, which names the other, comes last.
-  ASSIGN_OR_RETURN(AtomicFile pgm, AtomicFile::Create(pgm_path));
-  ASSIGN_OR_RETURN(AtomicFile yaml,
-                   AtomicFile::Create(std::filesystem::path(path).replace_extension(".yaml")));
-  RETURN_IF_ERROR(pgm.Write(grid.pgm));
-  RETURN_IF_ERROR(yaml.Write(grid.yaml));
-  RETURN_IF_ERROR(pgm.Seal());
-  RETURN_IF_ERROR(yaml.Seal());
-  RETURN_IF_ERROR(pgm.Commit());
-  return yaml.Commit();
+  const std::string yaml_path = std::filesystem::path(path).replace_extension(".yaml").string();
+  // The file that ROS opens, which names the other, comes last.
+  AtomicFileSet pair;
+  RETURN_IF_ERROR(WriteFileAtomically({pgm_path, &pair}, grid.pgm));
+  RETURN_IF_ERROR(WriteFileAtomically({yaml_path, &pair}, grid.yaml));
+  return pair.Commit();
 }
 
 }  // namespace cartographer::io

@@ -30,8 +30,7 @@ absl::StatusOr<OccupancyGrid> DrawOccupancyGrid(const map::Map& map,
                                                 const proto::RenderOptions& options,
                                                 const std::string& pgm_name);
 
-// Writes X.pgm and, beside it, X.yaml, each atomically; neither appears before the bytes of both
-// are on the disk.
+// Writes X.pgm and, beside it, X.yaml, both or neither.
 absl::Status WriteOccupancyGrid(const map::Map& map, const proto::RenderOptions& options,
                                 const std::string& pgm_path);
 

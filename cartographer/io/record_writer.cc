@@ -20,9 +20,9 @@ constexpr size_t kBatchSize = 32;
 
 }  // namespace
 
-absl::StatusOr<RecordWriter> RecordWriter::Create(const std::string& path) {
-  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path));
-  RecordWriter writer(path, std::move(file));
+absl::StatusOr<RecordWriter> RecordWriter::Create(const Destination& destination) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(destination));
+  RecordWriter writer(destination.path, std::move(file));
   RETURN_IF_ERROR(writer.WriteInteger(kMagic));
   return writer;
 }

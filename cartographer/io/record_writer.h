@@ -17,7 +17,7 @@ namespace cartographer::io {
 // Writes a file of records (record_format.h), atomically.
 class RecordWriter {
  public:
-  static absl::StatusOr<RecordWriter> Create(const std::string& path);
+  static absl::StatusOr<RecordWriter> Create(const Destination& destination);
 
   // Writes the messages make(0), ..., make(count - 1) as records in this order. Calls of `make`
   // run in parallel, as does compression; about a message a thread is in memory at a time. Errors

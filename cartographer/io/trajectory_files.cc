@@ -134,8 +134,8 @@ std::vector<Rigid3d> PosesOfOtherBody(const std::vector<Rigid3d>& a_poses,
   return b_poses;
 }
 
-absl::Status WriteKittiPoses(const std::string& path, const std::vector<Rigid3d>& poses) {
-  RETURN_IF_ERROR(CheckFinite(path, poses));
+absl::Status WriteKittiPoses(const Destination& destination, const std::vector<Rigid3d>& poses) {
+  RETURN_IF_ERROR(CheckFinite(destination.path, poses));
   std::string text;
   for (const Rigid3d& pose : poses) {
     const Eigen::Matrix<double, 3, 4> matrix = pose.Matrix();
@@ -144,13 +144,13 @@ absl::Status WriteKittiPoses(const std::string& path, const std::vector<Rigid3d>
                             i + 1 == kNumbersPerPose ? '\n' : ' ');
     }
   }
-  return WriteFileAtomically(path, text);
+  return WriteFileAtomically(destination, text);
 }
 
-absl::Status WriteTumPoses(const std::string& path, const std::vector<common::Time>& times,
+absl::Status WriteTumPoses(const Destination& destination, const std::vector<common::Time>& times,
                            const std::vector<Rigid3d>& poses) {
   CHECK_EQ(times.size(), poses.size());
-  RETURN_IF_ERROR(CheckFinite(path, poses));
+  RETURN_IF_ERROR(CheckFinite(destination.path, poses));
   std::string text;
   for (size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Vector3d& t = poses[i].translation();
@@ -158,7 +158,7 @@ absl::Status WriteTumPoses(const std::string& path, const std::vector<common::Ti
     absl::StrAppendFormat(&text, "%s %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n",
                           UnixSeconds(times[i]), t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
   }
-  return WriteFileAtomically(path, text);
+  return WriteFileAtomically(destination, text);
 }
 
 }  // namespace cartographer::io

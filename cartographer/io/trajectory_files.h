@@ -10,6 +10,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "cartographer/common/time.h"
+#include "cartographer/io/atomic_file.h"
 #include "cartographer/transform/rigid_transform.h"
 
 // Trajectories as text, in the two formats that everyone reads:
@@ -41,10 +42,11 @@ std::vector<transform::Rigid3d> PosesOfOtherBody(const std::vector<transform::Ri
 // Write a trajectory; an existing file is replaced atomically, or kept if writing fails. Numbers
 // have 17 significant digits, so that reading them gives the same doubles. A pose that is not
 // finite gives InvalidArgument naming its index, and no file.
-absl::Status WriteKittiPoses(const std::string& path, const std::vector<transform::Rigid3d>& poses);
+absl::Status WriteKittiPoses(const Destination& destination,
+                             const std::vector<transform::Rigid3d>& poses);
 // Times are seconds since the Unix epoch with all their seven decimals. Needs as many times as
 // poses (CHECKed).
-absl::Status WriteTumPoses(const std::string& path, const std::vector<common::Time>& times,
+absl::Status WriteTumPoses(const Destination& destination, const std::vector<common::Time>& times,
                            const std::vector<transform::Rigid3d>& poses);
 
 }  // namespace cartographer::io

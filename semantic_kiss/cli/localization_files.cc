@@ -26,7 +26,7 @@ using MaybePoses = std::vector<std::optional<Rigid3d>>;
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // The scans that have a pose, with their times.
-absl::Status WriteTum(const std::string& path, const Localization& localization,
+absl::Status WriteTum(const io::Destination& destination, const Localization& localization,
                       const MaybePoses& map_from_sensor) {
   std::vector<cartographer::common::Time> times;
   std::vector<Rigid3d> poses;
@@ -35,7 +35,7 @@ absl::Status WriteTum(const std::string& path, const Localization& localization,
     times.push_back(localization.scans[i].time);
     poses.push_back(*map_from_sensor[i]);
   }
-  return io::WriteTumPoses(path, times, poses);
+  return io::WriteTumPoses(destination, times, poses);
 }
 
 std::vector<Rigid3d> LocalizedPoses(const Localization& localization,
@@ -125,15 +125,19 @@ Json LocalizationJson(const Localization& localization, const LocalizationContex
 absl::Status WriteLocalizationFiles(const OutputDirectory& directory,
                                     const Localization& localization,
                                     const LocalizationContext& context) {
-  RETURN_IF_ERROR(io::WriteKittiPoses(directory.FileNamed("relocalization_kitti.txt"),
+  io::AtomicFileSet files;
+  const auto file = [&](const char* name) {
+    return io::Destination(directory.FileNamed(name), &files);
+  };
+  RETURN_IF_ERROR(io::WriteKittiPoses(file("relocalization_kitti.txt"),
                                       LocalizedPoses(localization, context.camera_from_sensor)));
-  RETURN_IF_ERROR(WriteTum(directory.FileNamed("relocalization_tum.txt"), localization,
-                           localization.CausalPoses()));
   RETURN_IF_ERROR(
-      WriteTum(directory.FileNamed("smoothed_tum.txt"), localization, localization.smoothed));
-  return io::WriteFileAtomically(
-      directory.FileNamed("relocalization.json"),
-      absl::StrCat(report::JsonText(LocalizationJson(localization, context), 2), "\n"));
+      WriteTum(file("relocalization_tum.txt"), localization, localization.CausalPoses()));
+  RETURN_IF_ERROR(WriteTum(file("smoothed_tum.txt"), localization, localization.smoothed));
+  RETURN_IF_ERROR(io::WriteFileAtomically(
+      file("relocalization.json"),
+      absl::StrCat(report::JsonText(LocalizationJson(localization, context), 2), "\n")));
+  return files.Commit();
 }
 
 }  // namespace semantic_kiss::cli

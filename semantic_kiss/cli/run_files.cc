@@ -20,19 +20,8 @@
 #include "semantic_kiss/report/map_layers.h"
 
 namespace semantic_kiss::cli {
-namespace {
 
 namespace io = cartographer::io;
-
-absl::Status WriteTrajectories(const OutputDirectory& directory, const RunResult& result) {
-  RETURN_IF_ERROR(io::WriteKittiPoses(directory.FileNamed("odometry_kitti.txt"), result.odometry));
-  RETURN_IF_ERROR(
-      io::WriteKittiPoses(directory.FileNamed("trajectory_kitti.txt"), result.trajectory));
-  return io::WriteTumPoses(directory.FileNamed("trajectory_tum.txt"), result.times,
-                           result.map_from_lidar);
-}
-
-}  // namespace
 
 absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOptions& options,
                            RunResult* result) {
@@ -44,14 +33,22 @@ absl::Status WriteRunFiles(const OutputDirectory& directory, const proto::RunOpt
   ASSIGN_OR_RETURN(auto layers,
                    report::TakeApart({&result->map}, options.map_image(), options.report()));
   times.Add("report_map", stopwatch.Lap());
-  RETURN_IF_ERROR(io::WriteMap(result->map, directory.FileNamed("map.pbstream")));
+  io::AtomicFileSet files;
+  const auto file = [&](const char* name) {
+    return io::Destination(directory.FileNamed(name), &files);
+  };
+  RETURN_IF_ERROR(io::WriteMap(result->map, file("map.pbstream")));
   times.Add("map_file", stopwatch.Lap());
-  RETURN_IF_ERROR(WriteTrajectories(directory, *result));
-  RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("map.png"), image));
+  RETURN_IF_ERROR(io::WriteKittiPoses(file("odometry_kitti.txt"), result->odometry));
+  RETURN_IF_ERROR(io::WriteKittiPoses(file("trajectory_kitti.txt"), result->trajectory));
+  RETURN_IF_ERROR(
+      io::WriteTumPoses(file("trajectory_tum.txt"), result->times, result->map_from_lidar));
+  RETURN_IF_ERROR(io::WriteFileAtomically(file("map.png"), image));
   const std::string json = absl::StrCat(report::JsonText(RunJson(*result), 2), "\n");
-  RETURN_IF_ERROR(io::WriteFileAtomically(directory.FileNamed("run.json"), json));
-  return io::WriteFileAtomically(directory.FileNamed("report.html"),
-                                 report::Html(RunReport(*result, std::move(layers.front()))));
+  RETURN_IF_ERROR(io::WriteFileAtomically(file("run.json"), json));
+  RETURN_IF_ERROR(io::WriteFileAtomically(
+      file("report.html"), report::Html(RunReport(*result, std::move(layers.front())))));
+  return files.Commit();
 }
 
 }  // namespace semantic_kiss::cli

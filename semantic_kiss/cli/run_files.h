@@ -11,8 +11,8 @@
 
 namespace semantic_kiss::cli {
 
-// Writes all files of a run, each atomically: odometry_kitti.txt, trajectory_kitti.txt (poses of
-// the camera if the data set has one), trajectory_tum.txt (poses of the lidar), map.pbstream,
+// Writes all files of a run, all of them or none: odometry_kitti.txt, trajectory_kitti.txt (poses
+// of the camera if the data set has one), trajectory_tum.txt (poses of the lidar), map.pbstream,
 // map.png, run.json and report.html. Of these the last two alone tell times; all others are the
 // same bytes whenever, and on however many threads, the run is repeated. How long writing took is
 // added to `result`.

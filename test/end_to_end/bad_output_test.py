@@ -6,7 +6,7 @@
 import os
 import subprocess
 
-from program import ProgramTest, main, read, write
+from program import RUN_FILES, ProgramTest, main, read, write
 from sequence import Sequence
 
 
@@ -47,23 +47,27 @@ class BadOutputTest(ProgramTest):
     def test_one_of_the_files_is_a_directory(self):
         os.makedirs(self.path("out", "trajectory_tum.txt"))
         self.fail_with(1, ["trajectory_tum.txt"], *self.flags(self.path("out")))
-        os.rmdir(self.path("out", "trajectory_tum.txt"))
-        self.assert_only_whole_run_files(self.path("out"))
+        self.assertEqual(os.listdir(self.path("out")), ["trajectory_tum.txt"])
 
     def test_disk_full(self):
         # From "not even the first file" to "all but the last".
-        for size_kib in (4, 8, 16, 32, 64):
+        for size_kib in (4, 16, 64, 128, 256):
             with self.subTest(size_kib=size_kib):
                 mounted = self.mount(f"size={size_kib}k")
                 self.fail_with(1, [mounted, "disk full"], *self.flags(mounted))
-                self.assert_only_whole_run_files(mounted)
+                self.assertEqual(os.listdir(mounted), [])
 
     def test_a_full_disk_leaves_earlier_results_alone(self):
-        mounted = self.mount("size=16k")
-        path = os.path.join(mounted, "map.pbstream")
-        write(path, b"an older map" * 300)
-        self.fail_with(1, [mounted], *self.flags(mounted))
-        self.assertEqual(read(path), b"an older map" * 300)
+        # Room for some of the new files, not for all.
+        for size_kib in (48, 128, 256):
+            with self.subTest(size_kib=size_kib):
+                mounted = self.mount(f"size={size_kib}k")
+                for name in RUN_FILES:
+                    write(os.path.join(mounted, name), b"older: " + name.encode())
+                self.fail_with(1, [mounted, "disk full"], *self.flags(mounted))
+                self.assertEqual(sorted(os.listdir(mounted)), RUN_FILES)
+                for name in RUN_FILES:
+                    self.assertEqual(read(mounted, name), b"older: " + name.encode())
 
 
 if __name__ == "__main__":

@@ -138,23 +138,39 @@ TEST_F(AtomicFileTest, FailedWriteKeepsTheOldFileAndRemovesTheTemporary) {
   EXPECT_EQ(NumFiles(), 1);
 }
 
-TEST_F(AtomicFileTest, SealedFilesAreCommittedWithoutFurtherBytes) {
+TEST_F(AtomicFileTest, FilesOfASetAppearTogether) {
   ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());
-  auto file = AtomicFile::Create(Path("a"));
-  ASSERT_TRUE(file->Write("new").ok());
-  ASSERT_TRUE(file->Seal().ok());
+  AtomicFileSet set;
+  ASSERT_TRUE(WriteFileAtomically({Path("a"), &set}, "new").ok());
+  ASSERT_TRUE(WriteFileAtomically({Path("b"), &set}, "also new").ok());
   EXPECT_EQ(Content(Path("a")), "old");
-  EXPECT_EQ(NumFiles(), 2);
-  EXPECT_DEATH(static_cast<void>(file->Write("more")), "written to after its end");
-  ASSERT_TRUE(file->Commit().ok());
+  EXPECT_EQ(NumFiles(), 3);
+  ASSERT_TRUE(set.Commit().ok());
   EXPECT_EQ(Content(Path("a")), "new");
-  EXPECT_EQ(NumFiles(), 1);
-  EXPECT_DEATH(static_cast<void>(file->Commit()), "committed twice");
+  EXPECT_EQ(Content(Path("b")), "also new");
+  EXPECT_EQ(NumFiles(), 2);
+  EXPECT_TRUE(set.Commit().ok());
+}
 
-  auto abandoned = AtomicFile::Create(Path("b"));
-  ASSERT_TRUE(abandoned->Seal().ok());
-  abandoned = absl::CancelledError();
+TEST_F(AtomicFileTest, ASetThatIsNotCommittedLeavesNothing) {
+  ASSERT_TRUE(WriteFileAtomically(Path("a"), "old").ok());
+  {
+    AtomicFileSet set;
+    ASSERT_TRUE(WriteFileAtomically({Path("a"), &set}, "new").ok());
+    EXPECT_FALSE(WriteFileAtomically({Path("nowhere/b"), &set}, "new").ok());
+  }
+  EXPECT_EQ(Content(Path("a")), "old");
   EXPECT_EQ(NumFiles(), 1);
+}
+
+TEST_F(AtomicFileTest, NothingFollowsTheCommit) {
+  AtomicFileSet set;
+  for (AtomicFileSet* const of : {static_cast<AtomicFileSet*>(nullptr), &set}) {
+    auto file = AtomicFile::Create({Path("a"), of});
+    ASSERT_TRUE(file->Commit().ok());
+    EXPECT_DEATH(static_cast<void>(file->Write("more")), "written to after its end");
+    EXPECT_DEATH(static_cast<void>(file->Commit()), "committed twice");
+  }
 }
 
 // A process that may open no further file cannot open the directory to make the name durable.
