@@ -30,6 +30,10 @@ void RemoveIf(Container* container, const Predicate& predicate) {
                    container->end());
 }
 
+std::pair<NodeId, SubmapId> PairOf(const Closure& closure) {
+  return {closure.constraint.node_id, closure.constraint.submap_id};
+}
+
 double Distance_m(const PlacedNode& a, const PlacedNode& b) {
   return (a.local_from_node.translation() - b.local_from_node.translation()).norm();
 }
@@ -170,6 +174,7 @@ void PoseGraph::RunRound(const Nodes& nearby, const Nodes& recognizable,
   std::vector<ClosureCandidate> candidates = finder_.Nearby(nearby, graph_, topology);
   const std::vector<ClosureCandidate> places = finder_.ByPlace(recognizable, graph_, topology);
   candidates.insert(candidates.end(), places.begin(), places.end());
+  DropVerified(&candidates);
   stopwatch.Lap("closure_candidates", stage_times);
   Book(search_.Search(candidates, graph_));
   SearchEverywhere(recognizable, topology);
@@ -179,6 +184,14 @@ void PoseGraph::RunRound(const Nodes& nearby, const Nodes& recognizable,
   stopwatch.Lap("closure_search", stage_times);
   if (any) Optimize();
   stopwatch.Lap("optimization", stage_times);
+}
+
+void PoseGraph::DropVerified(std::vector<ClosureCandidate>* candidates) {
+  RemoveIf(candidates, [this](const ClosureCandidate& candidate) {
+    if (verified_.count({candidate.node_id, candidate.submap_id}) == 0) return false;
+    outcome_of_node_[candidate.node_id] = std::string(VerdictName(Verdict::kAccepted));
+    return true;
+  });
 }
 
 void PoseGraph::SearchEverywhere(const Nodes& recognizable, const Topology& topology) {
@@ -201,6 +214,8 @@ void PoseGraph::Book(const std::vector<SearchedCandidate>& results) {
   for (const SearchedCandidate& result : results) {
     std::string& outcome = outcome_of_node_[result.closure.constraint.node_id];
     const bool accepted = result.verdict == VerdictName(Verdict::kAccepted);
+    // Found nearby and recognized as well: the same answer twice is no more certain.
+    if (accepted && !verified_.insert(PairOf(result.closure)).second) continue;
     if (accepted || outcome.empty() || outcome == "no_match") outcome = result.verdict;
     ++searches_[result.closure.constraint.node_id].num_candidates;
     if (accepted) {
@@ -267,6 +282,7 @@ void PoseGraph::ForgetLonely(const Topology& topology) {
         driven_m - topology.DrivenTo(node_id) <= 2. * options_.agreement().max_travel_m()) {
       still_waiting.push_back(closure);
     } else {
+      verified_.erase(PairOf(closure));
       Reject({"no_agreement", closure});
     }
   }
@@ -320,6 +336,9 @@ void PoseGraph::Prune() {
   };
   RemoveIf(&waiting_, dangles);
   RemoveIf(&closures_, dangles);
+  verified_.clear();
+  for (const Closure& closure : waiting_) verified_.insert(PairOf(closure));
+  for (const Closure& closure : closures_) verified_.insert(PairOf(closure));
   RemoveIf(&to_search_, gone);
   for (auto it = closed_nodes_.begin(); it != closed_nodes_.end();) {
     it = gone(*it) ? closed_nodes_.erase(it) : std::next(it);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -114,6 +115,8 @@ class PoseGraph {
   void RunRound(const Nodes& nearby, const Nodes& recognizable,
                 std::vector<common::StageTime>* stage_times);
   // Steps of a round.
+  // A pair of node and submap is searched until it is verified, not again.
+  void DropVerified(std::vector<ClosureCandidate>* candidates);
   void SearchEverywhere(const Nodes& recognizable, const Topology& topology);
   void Book(const std::vector<SearchedCandidate>& results);
   void NoteOutcomes(const Nodes& nearby, const Nodes& recognizable);
@@ -142,6 +145,7 @@ class PoseGraph {
   std::map<submap::NodeId, NodeSearch> searches_;            // all
   std::set<submap::NodeId> closed_nodes_;
 
+  std::set<std::pair<submap::NodeId, submap::SubmapId>> verified_;  // of waiting_ and closures_
   std::vector<Closure> waiting_;  // verified, but nothing near them agrees yet
   std::vector<Closure> closures_;
   VerdictCounts verdicts_;

@@ -45,14 +45,15 @@ Chart HeightChart(const RunResult& result) {
       truth.values.push_back(pose.translation().z() - start);
     }
     chart.series.push_back(std::move(truth));
+    chart.note += " The truth lies where all of it fits best, so it need not begin at 0.";
   }
   return chart;
 }
 
 Chart ErrorChart(const RunResult& result) {
   Chart chart = AlongTheWay(result, "Error along the way",
-                            "Distance from the true position, once both trajectories lie upon each "
-                            "other as well as they can.");
+                            "Distance from the true position after best-fit alignment of the whole "
+                            "drive, so that it does not begin at 0.");
   chart.series.push_back({"map", Role::kTrajectory, result.evaluation->absolute_3d->errors_m});
   if (HasClosures(result)) {
     chart.series.push_back(
@@ -108,7 +109,7 @@ Chart RotationChart(const RunResult& result) {
 }
 
 Chart CorrectionChart(const RunResult& result) {
-  Chart chart = AlongTheWay(result, "What loop closure moved",
+  Chart chart = AlongTheWay(result, "Correction by loop closure",
                             "Distance between a scan's place in the map and where the odometry "
                             "alone had it.");
   chart.series.push_back({"correction", Role::kTrajectory,
@@ -119,7 +120,8 @@ Chart CorrectionChart(const RunResult& result) {
 Chart StageChart(const RunResult& result) {
   Chart chart;
   chart.heading = "Time of the stages";
-  chart.note = "In total; some stages run beside others.";
+  chart.note =
+      "In total; some stages run in parallel. The parts of the odometry are within its time.";
   chart.kind = Chart::Kind::kRows;
   chart.y_name = "s";
   Series series{"total", Role::kTrajectory, {}};

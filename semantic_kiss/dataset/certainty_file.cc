@@ -37,32 +37,31 @@ size_t FirstNonProbability(const float* values, size_t count) {
 
 }  // namespace
 
-absl::StatusOr<CertaintyReader> CertaintyReader::Create(const LabelSet& set,
-                                                        const std::vector<uint16_t>& column_ids) {
-  CertaintyReader reader;
-  reader.num_columns_ = column_ids.size();
-  reader.columns_of_label_.resize(set.size());
-  for (size_t column = 0; column < column_ids.size(); ++column) {
+CertaintyReader::CertaintyReader(const LabelSet& set, const std::vector<uint16_t>& column_ids)
+    : num_columns_(column_ids.size()), columns_of_label_(set.size()) {
+  for (size_t column = 0; column < column_ids.size() && columns_status_.ok(); ++column) {
     const std::optional<Label> label = set.FromFileId(column_ids[column]);
-    if (!label.has_value()) {
-      return absl::InvalidArgumentError(
-          absl::StrCat("confidence_columns: column ", column, " stands for the id ",
-                       column_ids[column], ", which label set \"", set.name(), "\" does not list"));
+    if (label.has_value()) {
+      columns_of_label_[Index(*label)].push_back(static_cast<int>(column));
+      continue;
     }
-    reader.columns_of_label_[Index(*label)].push_back(static_cast<int>(column));
+    columns_status_ = absl::InvalidArgumentError(
+        absl::StrCat("column ", column, " stands for the id ", column_ids[column],
+                     ", which label set \"", set.name(),
+                     "\" does not list; let dataset.confidence_columns name the ids of the "
+                     "file's columns"));
   }
   for (size_t i = 0; i < set.size(); ++i) {
     const Label label{static_cast<uint8_t>(i)};
-    reader.default_of_label_.push_back(set.DefaultCertainty(label));
+    default_of_label_.push_back(set.DefaultCertainty(label));
     absl::string_view name = set.Name(label);
-    if (!reader.columns_of_label_[i].empty() || !set.HasRole(label, LabelRole::kMoving) ||
+    if (!columns_of_label_[i].empty() || !set.HasRole(label, LabelRole::kMoving) ||
         !absl::ConsumePrefix(&name, "moving-")) {
       continue;
     }
     const absl::StatusOr<Label> namesake = set.FromName(name);
-    if (namesake.ok()) reader.columns_of_label_[i] = reader.columns_of_label_[Index(*namesake)];
+    if (namesake.ok()) columns_of_label_[i] = columns_of_label_[Index(*namesake)];
   }
-  return reader;
 }
 
 void CertaintyReader::FillDefaults(const std::vector<Label>& labels,
@@ -80,6 +79,7 @@ absl::Status CertaintyReader::Read(const std::string& path, const std::vector<La
   const size_t bytes_per_column = labels.size() * sizeof(float);
   if (buffer->size() == bytes_per_column) return TakeColumn(path, *buffer, certainties);
   if (num_columns_ > 0 && buffer->size() == bytes_per_column * num_columns_) {
+    RETURN_IF_ERROR(cartographer::common::AddContext(columns_status_, path));
     return TakeLabels(path, *buffer, labels, certainties);
   }
   return absl::InvalidArgumentError(absl::StrCat(

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "absl/status/statusor.h"
 #include "cartographer/sensor/label.h"
 #include "cartographer/sensor/label_set.h"
 #include "semantic_kiss/dataset/file_buffer.h"
@@ -31,10 +30,10 @@ class CertaintyReader {
   // Knows no label.
   CertaintyReader() = default;
 
-  // `column_ids` are the file ids of the C columns, in order. Fails, naming the column, if `set`
-  // does not list an id.
-  static absl::StatusOr<CertaintyReader> Create(const cartographer::sensor::LabelSet& set,
-                                                const std::vector<uint16_t>& column_ids);
+  // `column_ids` are the file ids of the C columns, in order. If `set` does not list one of them,
+  // files with rows are refused, which matters only where there are some.
+  CertaintyReader(const cartographer::sensor::LabelSet& set,
+                  const std::vector<uint16_t>& column_ids);
 
   // The certainty of each label where no file gives one.
   void FillDefaults(const std::vector<cartographer::sensor::Label>& labels,
@@ -53,6 +52,7 @@ class CertaintyReader {
                           std::vector<float>* certainties) const;
 
   size_t num_columns_ = 0;
+  absl::Status columns_status_;
   // By label: the columns that count for it; none: the default is taken.
   std::vector<std::vector<int>> columns_of_label_;
   std::vector<float> default_of_label_;

@@ -184,9 +184,8 @@ absl::StatusOr<std::unique_ptr<ScanSource>> OpenSemanticKitti(const SemanticKitt
   sequence.vertical_correction_rad = options.vertical_correction_deg() * M_PI / 180.;
   ASSIGN_OR_RETURN(sequence.layout, FindSemanticKittiFiles(location, options));
   ASSIGN_OR_RETURN(sequence.scans, ListScanFiles(sequence.layout.velodyne_dir, range));
-  ASSIGN_OR_RETURN(sequence.certainties,
-                   CertaintyReader::Create(labels, {options.confidence_columns().begin(),
-                                                    options.confidence_columns().end()}));
+  sequence.certainties = CertaintyReader(
+      labels, {options.confidence_columns().begin(), options.confidence_columns().end()});
   if (!sequence.layout.moving_masks_dir.empty()) {
     ASSIGN_OR_RETURN(sequence.moving_variants, MovingVariants::Create(labels));
   }

@@ -202,7 +202,8 @@ class DocumentsTest(ProgramTest):
             name = re.search(r'name = "(\w+)"', block.text)[1]
             shutil.move(path, self.at("labels", name + ".lua"))
             write(path, f'include "semantic_kiss.lua"\nRUN.label_set = "{name}"\nreturn RUN\n')
-            self.shell(block.place, "semantic_kiss config --config=mine.lua")
+            self.shell(block.place, "semantic_kiss run --config=mine.lua --dataset=data "
+                                    f"--num_scans=2 --output=out/lua_{block.line}")
 
     def check_python(self, block):
         write(self.at("snippet.py"), block.text)

@@ -38,6 +38,9 @@ class LoopClosureTest(ProgramTest):
                  "inlier_ratio", "correction_m", "correction_deg", "true_error_m", "true_error_deg"})
             self.assertLess(closure["true_error_m"], 0.3)
             self.assertLess(closure["true_error_deg"], 1.5)
+        # What is found nearby and recognized as well is one closure.
+        pairs = [(closure["node"], closure["submap"]) for closure in run["loop_closures"]]
+        self.assertEqual(len(set(pairs)), len(pairs))
         search = run["closure_search"]
         self.assertEqual(search["false"], 0)
         self.assertEqual(search["candidates"]["accepted"], len(run["loop_closures"]))

@@ -182,7 +182,7 @@ function columnChart(container, chart, width) {
 function rowChart(container, chart, width) {
   const [values] = chart.series.map((series) => series.values);
   const height = chart.categories.length * ROW_HEIGHT;
-  const names = Math.min(170, width * 0.4);
+  const names = Math.min(170, width * 0.48);
   const most = extent(values)[1] || 1;
   const length = (value) => Math.max(value / most * (width - names - 70), 1);
   const root = svg('svg', {viewBox: `0 0 ${width} ${height}`, role: 'img',

@@ -9,8 +9,8 @@ const ROWS_AT_FIRST = 8;
 const CLOSURE_TABLES = [
   {part: 'closures', facts: 'closure_facts', heading: 'Loop closures', one: 'loop closure', note: ''},
   {part: 'rejected', facts: 'rejected_facts', heading: 'Rejected closures', one: 'rejected closure',
-   note: 'Of each scan that was looked for, the candidate that came furthest and became no closure; ' +
-         'how many of its candidates did.'},
+   note: 'For each scan, the rejected candidate that passed the most checks, and how many of the ' +
+         'scan\'s other candidates were accepted.'},
 ];
 
 function closureRow(table, data, index, drive, stage) {

@@ -19,6 +19,11 @@ function scaleOf(zoom, tileSide) {
   return 2 ** level * Math.round(2 ** (zoom - level) * tileSide) / tileSide;
 }
 
+// What is dark on paper is light on a dark page.
+function inkClass(layer) {
+  return layer.group !== SHADOWS && luminance(layer.color) < 0.12 ? 'dark-ink' : '';
+}
+
 function crsOf(frame, tileSide) {
   const scale = 1 / frame.resolution;
   return L.extend({}, L.CRS.Simple, {
@@ -60,8 +65,7 @@ function addLabelLayers(map, data) {
       bounds, tileSize: data.tile_side, zIndex: index + 1, keepBuffer: 1, noWrap: true,
       minZoom: -data.halvings - 4, maxZoom: MAX_ZOOM,
       minNativeZoom: -data.halvings, maxNativeZoom: 0,
-      // What is dark on paper is light on a dark page.
-      className: layer.group !== SHADOWS && luminance(layer.color) < 0.12 ? 'dark-ink' : '',
+      className: inkClass(layer),
     });
     grid.addTo(map);
     layers.set(layerKey(layer), grid);

@@ -62,7 +62,7 @@ function driveControls(drives) {
 
 function layerRow(layer, views) {
   const key = layerKey(layer);
-  const swatch = element('span', {class: 'swatch', style: `background: ${layer.color}`});
+  const swatch = element('span', {class: `swatch ${inkClass(layer)}`, style: `background: ${layer.color}`});
   const {box, label} = checkbox(
       layer.name, true, (on) => views.forEach((view) => view.show(key, on)), swatch);
   const slider = element('input', {

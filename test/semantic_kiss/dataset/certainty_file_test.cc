@@ -34,7 +34,7 @@ class CertaintyReaderTest : public ::testing::Test {
   }
 
   const LabelSet set_ = SomeKittiLabels();
-  const CertaintyReader reader_ = CertaintyReader::Create(set_, {0, 10, 40, 80}).value();
+  const CertaintyReader reader_ = CertaintyReader(set_, {0, 10, 40, 80});
   const TemporaryDirectory directory_;
   const std::string path_ = directory_ / "000003.conf";
   FileBuffer buffer_;
@@ -65,21 +65,21 @@ TEST_F(CertaintyReaderTest, MovingClassesHaveTheirNamesakesColumnAndOthersTheirD
 }
 
 TEST_F(CertaintyReaderTest, AMovingClassKeepsAColumnOfItsOwn) {
-  const CertaintyReader reader = CertaintyReader::Create(set_, {10, 252}).value();
+  const CertaintyReader reader = CertaintyReader(set_, {10, 252});
   WriteValues<float>(path_, {0.25f, 0.75f});
   ASSERT_TRUE(reader.Read(path_, {Named("moving-car")}, &buffer_, &certainties_).ok());
   EXPECT_THAT(certainties_, ElementsAre(0.75f));
 }
 
 TEST_F(CertaintyReaderTest, SumsTheColumnsOfMergedClasses) {
-  const CertaintyReader reader = CertaintyReader::Create(set_, {40, 10, 60}).value();
+  const CertaintyReader reader = CertaintyReader(set_, {40, 10, 60});
   WriteValues<float>(path_, {0.25f, 0.25f, 0.5f});
   ASSERT_TRUE(reader.Read(path_, {Named("road")}, &buffer_, &certainties_).ok());
   EXPECT_THAT(certainties_, ElementsAre(FloatNear(0.75f, 1e-6f)));
 }
 
 TEST_F(CertaintyReaderTest, RoundingNeverExceedsOne) {
-  const CertaintyReader reader = CertaintyReader::Create(set_, {40, 60}).value();
+  const CertaintyReader reader = CertaintyReader(set_, {40, 60});
   WriteValues<float>(path_, {0.503f, 0.503f});
   ASSERT_TRUE(reader.Read(path_, {Named("road")}, &buffer_, &certainties_).ok());
   EXPECT_THAT(certainties_, ElementsAre(1.f));
@@ -128,13 +128,19 @@ TEST_F(CertaintyReaderTest, NamesTheRowThatIsNoDistribution) {
 }
 
 TEST_F(CertaintyReaderTest, NamesTheColumnOfAnUnknownClass) {
-  EXPECT_EQ(CertaintyReader::Create(set_, {10, 77}).status().message(),
-            "confidence_columns: column 1 stands for the id 77, which label set "
-            "\"some_kitti_labels\" does not list");
+  const CertaintyReader reader(set_, {10, 77});
+  WriteValues<float>(path_, {0.5f, 0.5f});
+  EXPECT_EQ(reader.Read(path_, {kUnlabeled}, &buffer_, &certainties_).message(),
+            path_ +
+                ": column 1 stands for the id 77, which label set \"some_kitti_labels\" does "
+                "not list; let dataset.confidence_columns name the ids of the file's columns");
+  // Other files need no columns.
+  WriteValues<float>(path_, {0.5f});
+  EXPECT_TRUE(reader.Read(path_, {kUnlabeled}, &buffer_, &certainties_).ok());
 }
 
 TEST_F(CertaintyReaderTest, WithoutColumnsOnlyOneValueAPointWillDo) {
-  const CertaintyReader reader = CertaintyReader::Create(set_, {}).value();
+  const CertaintyReader reader = CertaintyReader(set_, {});
   WriteText(path_, "");
   EXPECT_FALSE(reader.Read(path_, {kUnlabeled}, &buffer_, &certainties_).ok());
   WriteValues<float>(path_, {0.5f});

@@ -297,8 +297,6 @@ TEST_F(SemanticKittiSourceTest, ErrorsOfTheDriveNameFileAndLine) {
   EXPECT_THAT(OpenError(), HasSubstr(sequence_ + "/calib.txt:2: "));
   WriteText(sequence_ + "/times.txt", "0\n0.1\n0.05\n");
   EXPECT_THAT(OpenError(), HasSubstr(sequence_ + "/times.txt:3: the time is 0.05"));
-  options_.add_confidence_columns(999);
-  EXPECT_THAT(OpenError(), HasSubstr("confidence_columns: column 0 stands for the id 999"));
 }
 
 TEST(DatasetOptionsTest, ShippedColumnsAreTheBenchmarks20Classes) {
