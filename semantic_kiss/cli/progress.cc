@@ -53,7 +53,7 @@ std::string ProgressBar(const Progress& progress, int width) {
       absl::StrFormat("%.1f/s", Rate(progress)),
   };
   if (progress.error_m.has_value()) {
-    parts.push_back(absl::StrFormat("error %.2f m", *progress.error_m));
+    parts.push_back(absl::StrFormat("odometry off by %.2f m", *progress.error_m));
   }
   if (!progress.note.empty()) parts.insert(parts.begin() + 1, progress.note);
   std::string line = absl::StrJoin(parts, " ");
@@ -69,8 +69,9 @@ std::string ProgressBar(const Progress& progress, int width) {
 std::string ProgressLine(const Progress& progress) {
   std::string line = absl::StrFormat("%d/%d scans, %.1f scans/s, %s left", progress.done,
                                      progress.total, Rate(progress), TimeLeft(progress));
-  if (progress.error_m.has_value())
-    absl::StrAppendFormat(&line, ", error %.2f m", *progress.error_m);
+  if (progress.error_m.has_value()) {
+    absl::StrAppendFormat(&line, ", odometry off by %.2f m", *progress.error_m);
+  }
   if (!progress.note.empty()) absl::StrAppend(&line, ", ", progress.note);
   return line;
 }
@@ -104,7 +105,17 @@ void ProgressReporter::Finish() {
   EndBar();
 }
 
-ProgressReporter::~ProgressReporter() { EndBar(); }
+void ProgressReporter::Announce(const std::string& what) {
+  if (mode_ != Mode::kBar || (what.empty() && !announced_)) return;
+  EndBar();
+  *out_ << "\r" << what.substr(0, std::max(terminal_.width - 1, 0)) << "\033[K" << std::flush;
+  announced_ = !what.empty();
+}
+
+ProgressReporter::~ProgressReporter() {
+  EndBar();
+  Announce("");
+}
 
 void ProgressReporter::EndBar() {
   if (bar_is_open_) *out_ << std::endl;

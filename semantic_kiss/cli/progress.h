@@ -47,7 +47,8 @@ class ProgressReporter {
 
   ProgressReporter(const ProgressReporter&) = delete;
   ProgressReporter& operator=(const ProgressReporter&) = delete;
-  // Ends the line of a bar if Finish() did not, so that an error begins a line of its own.
+  // Ends the line of a bar if Finish() did not, so that an error begins a line of its own, and
+  // takes back what was announced.
   ~ProgressReporter();
 
   // To be called after every scan; prints only when enough time went by since the last time.
@@ -55,6 +56,10 @@ class ProgressReporter {
 
   // Prints where things ended; ends the line of a bar.
   void Finish();
+
+  // Says what goes on after the last scan, where there was a bar, until it is called again; empty:
+  // nothing any more.
+  void Announce(const std::string& what);
 
  private:
   void Print();
@@ -67,6 +72,7 @@ class ProgressReporter {
   const double started_s_;
   double printed_s_;
   bool bar_is_open_ = false;
+  bool announced_ = false;
   Progress progress_;
 };
 

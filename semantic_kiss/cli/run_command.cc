@@ -108,6 +108,7 @@ absl::Status RunRun() {
   ASSIGN_OR_RETURN(DriveRecord drive, Drive(scans.get(), map_builder.get(),
                                             {&progress, scans_to_trace, live->board()}));
   live->Concluding();
+  progress.Announce("last loop closures ...");
   if (drive.num_scans == 0) return Stopped(drive, *scans);
 
   ASSIGN_OR_RETURN(RunResult result,
@@ -116,7 +117,9 @@ absl::Status RunRun() {
     if (!map_builder->IsTied()) return NotJoined();
     Continue(*earlier, map_builder->trajectory_id(), &result.map);
   }
+  progress.Announce("map, pictures and report ...");
   RETURN_IF_ERROR(WriteRunFiles(directory, configuration.options, &result));
+  progress.Announce("");
   if (!FLAGS_quiet) Tell(result, directory);
   const bool complete = result.drive.num_scans == result.scans_available;
   live->End(complete);

@@ -55,7 +55,11 @@ class TerminalTest(ProgramTest):
     def test_a_bar_and_a_coloured_summary(self):
         shown = self.drive(100)
         self.assertIn("\r[", shown)
-        self.assertRegex(shown, r"100% 60/60 ETA 0:00 .*/s error .* m" + re.escape(CLEAR_TO_END))
+        self.assertRegex(shown, r"100% 60/60 ETA 0:00 .*/s odometry off by .* m" +
+                         re.escape(CLEAR_TO_END))
+        # What came after the scans was told, and taken back before the summary.
+        self.assertRegex(shown, "\\rmap, pictures and report" + r"[^\r]*\r" +
+                         re.escape(CLEAR_TO_END) + r"\S*scans")
         self.assertRegex(shown, COLOR)
 
     def test_nothing_is_wider_than_the_terminal(self):

@@ -19,7 +19,8 @@ Progress Halfway() { return {2270, 4540, 100., 0.428}; }
 
 TEST(ProgressBarTest, ShowsAllWhereThereIsRoom) {
   EXPECT_EQ(ProgressBar(Halfway(), 100),
-            "[===================                   ]  50% 2270/4540 ETA 1:40 22.7/s error 0.43 m");
+            "[===================                   ]  50% 2270/4540 ETA 1:40 22.7/s odometry off "
+            "by 0.43 m");
 }
 
 TEST(ProgressBarTest, FitsEveryWidthAndKeepsTheMostImportant) {
@@ -87,6 +88,23 @@ TEST_F(ProgressReporterTest, ABarOverwritesItselfAndEndsItsLine) {
   EXPECT_THAT(out_.str(), HasSubstr("11/100"));
   EXPECT_EQ(out_.str().front(), '\r');
   EXPECT_EQ(out_.str().back(), '\n');
+}
+
+TEST_F(ProgressReporterTest, AnnouncesUnderABarAndTakesItBack) {
+  {
+    ProgressReporter reporter = Reporter(ProgressReporter::Mode::kBar);
+    reporter.Update(100, std::nullopt);
+    reporter.Finish();
+    out_.str("");
+    reporter.Announce("first");
+    reporter.Announce("second");
+    EXPECT_EQ(out_.str(), "\rfirst\033[K\rsecond\033[K");
+    out_.str("");
+  }
+  EXPECT_EQ(out_.str(), "\r\033[K");
+  out_.str("");
+  Reporter(ProgressReporter::Mode::kLines).Announce("nothing in logs");
+  EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(ProgressReporterTest, ABarThatIsCutShortEndsItsLine) {
