@@ -24,7 +24,8 @@ absl::Status SystemError(const std::string& path, int error) {
 }  // namespace
 
 absl::Status FileBuffer::Read(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor =
+      open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // no waiting at pipes
   if (descriptor < 0) return SystemError(path, errno);
   const absl::Status status = ReadDescriptor(descriptor, path);
   close(descriptor);

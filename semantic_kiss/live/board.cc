@@ -4,6 +4,7 @@
 #include "semantic_kiss/live/board.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace semantic_kiss::live {
 namespace {
@@ -41,8 +42,12 @@ Phase Board::phase() const {
 
 void Board::Saw(const std::string& viewer) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const double now_s = now_s_();
+  for (auto it = seen_s_.begin(); it != seen_s_.end();) {
+    it = now_s - it->second > kViewerGone_s ? seen_s_.erase(it) : std::next(it);
+  }
   if (seen_s_.size() >= kMaxViewers && seen_s_.count(viewer) == 0) return;
-  seen_s_[viewer] = now_s_();
+  seen_s_[viewer] = now_s;
 }
 
 void Board::Served(const std::string& viewer) {

@@ -96,7 +96,9 @@ class Server::Impl {
  private:
   bool Admit(const httplib::Request& request, httplib::Response* response) const {
     const std::string host = request.get_header_value("Host");
-    if (host != absl::StrCat(kAddress, ":", port_) && host != absl::StrCat("localhost:", port_)) {
+    // The port that is HTTP's own is not named by those who call.
+    const std::string suffix = port_ == 80 ? "" : absl::StrCat(":", port_);
+    if (host != absl::StrCat(kAddress, suffix) && host != absl::StrCat("localhost", suffix)) {
       Refuse(403, "this page is for 127.0.0.1 alone", response);
       return false;
     }

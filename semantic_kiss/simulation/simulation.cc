@@ -47,14 +47,19 @@ absl::StatusOr<std::unique_ptr<Simulation>> Simulation::Create(
   ASSIGN_OR_RETURN(const proto::LidarOptions lidar, FindLidar(options));
   ASSIGN_OR_RETURN(Route route, MakeRoute(options.route(), options.scan_rate_hz(),
                                           static_cast<uint64_t>(options.seed())));
-  return std::unique_ptr<Simulation>(new Simulation(options, std::move(route), lidar));
+  Route driven = Redrive(route, options.route().lane_offset_m(), options.route().speed_factor());
+  if (route.poses.size() < 2 || driven.poses.size() < 2) {
+    return absl::InvalidArgumentError(
+        "the drive has fewer than two scans; make the route longer, the scan rate higher or the "
+        "speed factor smaller");
+  }
+  return std::unique_ptr<Simulation>(
+      new Simulation(options, std::move(route), std::move(driven), lidar));
 }
 
-Simulation::Simulation(const proto::SimulationOptions& options, Route route,
+Simulation::Simulation(const proto::SimulationOptions& options, Route planned, Route driven,
                        const proto::LidarOptions& lidar)
-    : options_(options),
-      planned_(std::move(route)),
-      driven_(Redrive(planned_, options.route().lane_offset_m(), options.route().speed_factor())) {
+    : options_(options), planned_(std::move(planned)), driven_(std::move(driven)) {
   const auto seed = static_cast<uint64_t>(options_.seed());
   const double mount_m = lidar.mount_height_m();
   lidar_ = std::make_unique<Lidar>(lidar, options_.errors(), options_.scan_rate_hz(), seed);
@@ -112,8 +117,11 @@ absl::Status WriteSequence(const Simulation& simulation, const WriteRequest& req
                                                " scans; the same command goes on from there"));
     }
   }
+  // Scans that an earlier, longer command left belong to the drive as well.
+  int present = total;
+  while (present < simulation.num_scans() && writer.IsComplete(present)) ++present;
   std::vector<cartographer::transform::Rigid3d> start_from_lidar;
-  for (int i = 0; i < total; ++i) {
+  for (int i = 0; i < present; ++i) {
     start_from_lidar.push_back(simulation.world_from_start().inverse() *
                                simulation.world_from_lidar()[i]);
   }

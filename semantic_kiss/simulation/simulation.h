@@ -48,7 +48,7 @@ class Simulation {
   }
 
  private:
-  Simulation(const proto::SimulationOptions& options, Route route,
+  Simulation(const proto::SimulationOptions& options, Route planned, Route driven,
              const proto::LidarOptions& lidar);
 
   const proto::SimulationOptions options_;

@@ -147,6 +147,11 @@ class MalformedTextTest(BadInputTest):
         self.sequence.write("times.txt", "0\n0.1\n")
         self.assert_rejected(["times.txt", "2"])
 
+    def test_times_are_a_pipe(self):
+        os.remove(self.sequence.file("times.txt"))
+        os.mkfifo(self.sequence.file("times.txt"))
+        self.assert_rejected(["times.txt", "not a regular file"])
+
     def test_times_are_no_numbers(self):
         self.sequence.write("times.txt", "0\n0.1\nsoon\n0.3\n0.4\n0.5\n")
         self.assert_rejected(["times.txt", "soon"])

@@ -39,6 +39,19 @@ class SimulateTest(ProgramTest):
                 self.assertEqual(run["scans"], 60)
                 self.assertLess(run["metrics"]["ate_3d_m"], bound_m)
 
+    def test_a_shorter_command_leaves_a_longer_drive_whole(self):
+        self.simulate("--route=loop", "--num_scans=8")
+        before = {name: read(self.path("drive"), name) for name in files_below(self.path("drive"))}
+        self.simulate("--route=loop", "--num_scans=3")
+        for name, content in before.items():
+            self.assertEqual(read(self.path("drive"), name), content, name)
+
+    def test_a_drive_of_a_single_scan_is_refused(self):
+        write(self.path("poses.txt"), "".join(f"1 0 0 0 0 1 0 0 0 0 1 {1.5 * i}\n"
+                                              for i in range(3)))
+        self.fail_with(1, ["fewer than two scans"], "simulate", *SMALL, "--speed_factor=4",
+                       f"--poses={self.path('poses.txt')}", f"--output={self.path('drive')}")
+
     def test_label_noise_comes_with_certainties(self):
         self.simulate("--num_scans=8", output="exact")
         self.simulate("--num_scans=8", "--label_noise=0.1", output="noisy")

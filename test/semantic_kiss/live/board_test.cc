@@ -55,7 +55,16 @@ TEST(BoardTest, CountsThoseWhoStillWaitForTheReport) {
 TEST(BoardTest, ManyViewersDoNotFillTheMemory) {
   Board board([] { return 0.; });
   for (int i = 0; i < 1000; ++i) board.Saw(std::to_string(i));
-  EXPECT_LE(board.NumWaiting(), 64);
+  EXPECT_EQ(board.NumWaiting(), 64);
+}
+
+TEST(BoardTest, ViewersWhoLeftMakeRoom) {
+  double now_s = 0.;
+  Board board([&] { return now_s; });
+  for (int i = 0; i < 64; ++i) board.Saw(std::to_string(i));
+  now_s = 3600.;
+  board.Saw("late");
+  EXPECT_EQ(board.NumWaiting(), 1);
 }
 
 TEST(BoardTest, ViewersOnOtherThreadsSeeWholeSnapshotsInOrder) {
